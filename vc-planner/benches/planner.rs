@@ -114,8 +114,8 @@ fn planning(objects: usize, parts: usize, rows: &mut Rows) -> (Duration, Duratio
 }
 
 fn scene() -> SceneGraph {
-    let folded_size = include_str!("../../examples/data/apartment.json").to_owned();
-    let text = vc_testkit::data::text("virtualhome/scene1.json.gz").unwrap_or(folded_size);
+    let apartment = include_str!("../../examples/data/apartment.json").to_owned();
+    let text = vc_testkit::data::text("virtualhome/scene1.json.gz").unwrap_or(apartment);
     read_scene(&text, &ClassTable::builtin()).unwrap()
 }
 

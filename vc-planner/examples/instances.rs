@@ -23,7 +23,7 @@ use vc_tasks::format::pddl::{self, Keep};
 const REPEATS: usize = 5;
 const OBJECTS: usize = 500;
 
-/// What is asked for besides errands: eating, sitting, switching, closing.
+/// Parts of goals besides errands: eating, sitting, switching, closing.
 const EXTRAS: [(&str, &str); 6] = [
     ("Eat", "apple"),
     ("Sit", "sofa"),
@@ -69,7 +69,7 @@ fn main() {
         for (seed, errand) in (0..).zip([2, 3, 4, 1, 2]) {
             let scene = home(OBJECTS, 100 + seed);
             let mut parts = errands(&scene, errand, seed);
-            // Of any of dozens LM-cut finds no end: the last two are about one.
+            // LM-cut comes to no end where any of dozens will do: the last two are about one.
             parts.push(match seed {
                 0..3 => format!("{verb}({class})"),
                 _ => format!("{verb}({})", scene.label(scene.of_class(class)[0])),

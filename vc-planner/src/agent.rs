@@ -23,7 +23,7 @@ use crate::trip::Promise;
 use crate::{Belief, Learned, Plan, Prior};
 use refused::Refused;
 
-/// What an agent decides.
+/// A decision of an agent.
 ///
 /// ```
 /// use vc_graph::{Draft, SceneBuilder};
@@ -104,18 +104,18 @@ pub struct Agent {
     mind: Mind,
     horizon: Horizon,
     planner: Planner,
-    /// What it is in the middle of: kept until settled, or proved no longer open.
+    /// The condition that it is bringing about: kept until settled, or proved no longer open.
     pursued: Option<OpenCondition>,
-    /// What it will do as long as nothing new is learned.
+    /// The actions that follow as long as nothing new is learned.
     next: VecDeque<Action>,
     /// The alternative of the goal it is doing so by, if a shorter way is not ruled out.
     unproved: Option<Choice>,
     /// Decisions since it last learned something.
     idle: usize,
-    /// What it has done since then.
+    /// The actions that it has decided on since then.
     tried: Vec<Action>,
     refused: Refused,
-    /// What others have promised to bring where, and what it promises itself.
+    /// The deliveries that others have promised, and those that it promises itself.
     counted_on: Vec<Promise>,
     promises: Vec<Promise>,
 }
@@ -141,7 +141,7 @@ impl Agent {
     /// The human-like agent of the thesis: every place is equally likely, one state is
     /// sampled, and one subgoal after the other is pursued.
     pub fn faithful(graph: &SceneGraph, id: NodeId, goal: Goal, seed: u64) -> Self {
-        Self::with(id, goal, Belief::of_known_home(graph, id, seed), Mind::Faithful)
+        Self::with(id, goal, Belief::in_known_home(graph, id, seed), Mind::Faithful)
     }
 
     /// An agent that knows everything there is.
@@ -166,7 +166,7 @@ impl Agent {
     fn with(id: NodeId, goal: Goal, belief: Belief, mind: Mind) -> Self {
         let concerns = concerns(&goal, belief.graph());
         let agenda = goal.is_temporal().then(|| Agenda::new(&goal));
-        let planner = Planner { effort: SearchLimits { first: 2_000, improve: 500 }, ..Planner::default() };
+        let planner = Planner { limits: SearchLimits { first: 2_000, improve: 500 }, ..Planner::default() };
         Self {
             id,
             goal,
@@ -220,12 +220,12 @@ impl Agent {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     #[must_use]
-    pub fn with_limits(mut self, effort: SearchLimits) -> Self {
-        self.planner.effort = effort;
+    pub fn with_limits(mut self, limits: SearchLimits) -> Self {
+        self.planner.limits = limits;
         self
     }
 
-    /// What it believes.
+    /// The agent's belief.
     ///
     /// ```
     /// use vc_graph::{Draft, SceneBuilder, Scope};
@@ -254,7 +254,7 @@ impl Agent {
         missing.map(|&id| (id, graph.place(id))).collect()
     }
 
-    /// What it pursues.
+    /// The whole goal that it pursues.
     pub fn goal(&self) -> &Goal {
         self.agenda.as_ref().map_or(&self.goal, Agenda::goal)
     }
@@ -288,7 +288,7 @@ impl Agent {
     pub fn see(&mut self, seen: &Observation) -> Learned {
         self.refused.see(seen);
         let learned = self.belief.observe(seen);
-        if self.belief.is_stranger() && !learned.found.is_empty() {
+        if self.belief.is_in_unknown_home() && !learned.found.is_empty() {
             self.concerns = concerns(self.goal(), self.belief.graph());
         }
         let matters = |id: &NodeId| self.concerns.binary_search(id).is_ok();
@@ -300,14 +300,15 @@ impl Agent {
         learned
     }
 
-    /// Takes in what another sees and tells.
+    /// Takes in an observation that another agent reports.
     pub(crate) fn hear(&mut self, report: &Observation) -> Learned {
         self.belief.hear(report)
     }
 
-    /// The decision that it would make now. For a goal with words of time it pursues the stages that these make (the parts of a `then`
-    /// in their order, what is to hold at some step before what is to hold at the end), and it takes no plan that breaks
-    /// an `always`, an `until` or a `before`: if it finds no other, it gives up and says which part stands in the way.
+    /// The decision that it would make now. For a goal with words of time it pursues the stages that these make (the
+    /// parts of a `then` in their order, what is to hold at some step before what is to hold at the end), and it takes
+    /// no plan that breaks an `always`, an `until` or a `before`: if it finds no other, it gives up and says which part
+    /// stands in the way.
     pub fn decide(&mut self) -> Decision {
         self.keep_promises();
         let decision = match self.agenda.take() {
@@ -354,7 +355,7 @@ impl Agent {
         };
         // Whatever would let things be put there by the rule.
         const CARRIES: &[Property] = &[Surface, Sittable, Lieable, Container, Recipient, Heater];
-        // It stands open: that it cannot be shut any more is left out of account.
+        // A container that is full stands open: that it cannot be shut any more is left out of account.
         const ENCLOSES: &[Property] = &[Container, Recipient, Openable, Drivable];
         let (properties, id): (&[Property], NodeId) = match (action.verb, action.object, action.target) {
             (Verb::Grab, Some(id), _) => (&[Graspable], id),
@@ -370,19 +371,19 @@ impl Agent {
             _ => return false,
         };
         self.forget_plans();
-        // What is shut away behind it is out of reach.
-        let shunned = action.verb == Verb::Open && self.belief.exclude(id);
-        properties.iter().fold(shunned, |barred, property| self.belief.bar(id, *property) | barred)
+        // Things that are shut away behind it are out of reach.
+        let excluded = action.verb == Verb::Open && self.belief.exclude(id);
+        properties.iter().fold(excluded, |barred, property| self.belief.bar(id, *property) | barred)
     }
 
     /// Plans no more with a thing there is no way to.
     fn avoid(&mut self, id: NodeId) -> bool {
         use Property::{Container, Graspable, Heater, Lieable, Recipient, Sittable, Surface, Switchable};
         self.forget_plans();
-        let shunned = self.belief.exclude(id);
+        let excluded = self.belief.exclude(id);
         let all = [Graspable, Surface, Sittable, Lieable, Container, Recipient, Heater, Switchable];
         let there = self.belief.graph().node(id).is_some_and(|n| n.kind() == NodeKind::Object);
-        all.into_iter().filter(|_| there).fold(shunned, |barred, property| self.belief.bar(id, property) | barred)
+        all.into_iter().filter(|_| there).fold(excluded, |barred, property| self.belief.bar(id, property) | barred)
     }
 
     fn forget_plans(&mut self) {

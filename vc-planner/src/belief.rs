@@ -20,8 +20,8 @@ use crate::{KnownNodes, Prior};
 
 /// An agent's belief: the places of things that it knows, and a guess for the others.
 ///
-/// An agent that moves in is told the plan of the home: the rooms, the fixed things, and which movable things
-/// exist. It is not told the places of the movable things, nor which things are open or on. For each movable
+/// An agent in a known home knows its plan: the rooms, the fixed things, and which movable things
+/// exist. It does not know the places of the movable things, nor which things are open or on. For each movable
 /// thing, every place (every surface and container, and the floor of each room) is as likely as its [`Prior`]
 /// says until the place has been seen without the thing (the thesis's section 4.3, where all places are equally
 /// likely). Containers that can be carried become places when they are first seen. The guess is a sample, kept
@@ -48,12 +48,12 @@ pub struct Belief {
     /// The things not yet found, with the guessed place of each.
     missing: Vec<(NodeId, usize)>,
     last: Option<Observation>,
-    /// Whether the agent was told nothing about the contents of the home: it learns them by observation.
+    /// Whether the agent knows nothing about the contents of the home at first: it learns them by observation.
     in_unknown_home: bool,
     /// Nodes whose guess the agent's own last action has changed.
     touched: Vec<NodeId>,
     /// The nodes that it cannot reach.
-    shunned: Vec<NodeId>,
+    excluded: Vec<NodeId>,
     /// Affordances that are no longer expected of things.
     barred: Vec<(NodeId, Property)>,
     widened: usize,
@@ -70,13 +70,14 @@ pub struct Learned {
 }
 
 impl Belief {
-    /// The belief of an agent that knows only the plan of a home. `graph` is the true scene: rooms and fixed
-    /// things are taken from it; the places of movable things and all states are forgotten.
-    pub fn of_known_home(graph: &SceneGraph, agent: NodeId, seed: u64) -> Self {
+    /// The belief of an agent that knows only the plan of a home, to which all places are equally likely. `graph`
+    /// is the true scene: rooms and fixed things are taken from it; the places of movable things and all states
+    /// are forgotten.
+    pub fn in_known_home(graph: &SceneGraph, agent: NodeId, seed: u64) -> Self {
         Self::with_prior(graph, agent, seed, Prior::Uniform)
     }
 
-    /// As [`Belief::of_known_home`], with a prior.
+    /// As [`Belief::in_known_home`], with a prior.
     pub fn with_prior(graph: &SceneGraph, agent: NodeId, seed: u64, prior: Prior) -> Self {
         let mut belief = Self::with(graph, agent, seed);
         belief.prior = prior;
@@ -139,7 +140,7 @@ impl Belief {
             last: None,
             in_unknown_home: false,
             touched: Vec::new(),
-            shunned: Vec::new(),
+            excluded: Vec::new(),
             barred: Vec::new(),
             widened: 0,
             rng: ChaCha8Rng::seed_from_u64(seed),
@@ -195,7 +196,7 @@ impl Belief {
         self.missing.iter().any(|&(missing, _)| missing == id)
     }
 
-    /// Whether nothing has to be guessed, as for a long-time resident.
+    /// Whether nothing has to be guessed, as for an oracle.
     pub(crate) fn knows_all(&self) -> bool {
         self.places.is_empty()
     }
@@ -206,7 +207,7 @@ impl Belief {
     }
 
     /// Whether there may be things that the agent does not know of.
-    pub(crate) fn is_stranger(&self) -> bool {
+    pub(crate) fn is_in_unknown_home(&self) -> bool {
         self.in_unknown_home
     }
 

@@ -21,16 +21,16 @@ pub(crate) use site::{anchor, is_ground};
 pub(crate) struct Lack {
     pub(crate) subjects: Vec<NodeId>,
     pub(crate) number: usize,
-    /// What they are needed for.
+    /// The uses for which they are needed.
     pub(crate) ways: Vec<Way>,
 }
 
-/// What became of the demands.
+/// The demands as a packed problem, and those that are left over.
 #[derive(Debug, Default)]
 pub(crate) struct Compiled {
     pub(crate) problem: Problem,
     pub(crate) start: State,
-    /// What has to be found first.
+    /// The things that have to be found first.
     pub(crate) lacks: Vec<Lack>,
     /// Some demand is beyond packed planning.
     pub(crate) rest: bool,
@@ -48,11 +48,11 @@ pub(crate) struct Compiler<'a> {
     known: &'a dyn Fn(NodeId) -> bool,
     leave: Leave<'a>,
     out: Compiled,
-    /// What is not to be reserved, as another demand lacks it.
+    /// Things that are not to be reserved, as another demand lacks them.
     contested: &'a [NodeId],
-    /// What serves the goal where it is.
+    /// Things that serve the goal where they are.
     reserved: Vec<NodeId>,
-    /// What is reserved, and would have to serve a demand that conflicts.
+    /// Reserved things that would have to serve a demand that conflicts.
     disputed: Vec<NodeId>,
     /// Items with the needs they serve.
     items: Vec<(NodeId, u32)>,
@@ -92,7 +92,7 @@ pub(crate) fn compile(
             regress_postures: demands.regress_postures,
         };
         let done = c.run(demands);
-        // What serves one part where it is may be all there is for another.
+        // A thing that serves one part where it is may be all there is for another.
         match (done, c.disputed) {
             (Err(Unreachable::Conflicting(_)), disputed) if !disputed.is_empty() => contested.extend(disputed),
             (done, _) => return done.map(|()| c.out),
@@ -139,7 +139,7 @@ impl Compiler<'_> {
         Ok(())
     }
 
-    /// What holds already stays; returns how many are short.
+    /// Reserves the things for which the demand holds already; returns how many are short.
     fn reserve(&mut self, demand: &Demand<'_>) -> Option<usize> {
         if demand.subjects().is_empty() {
             let done = self.now.holds(demand.predicate, [None, None]);
@@ -166,7 +166,7 @@ impl Compiler<'_> {
         (met < demand.number).then_some(demand.number - met)
     }
 
-    /// What is carried is in a room only until one leaves it.
+    /// Whether a thing is carried: it is in a room only until the agent leaves it.
     fn is_passing(&self, demand: &Demand<'_>, id: NodeId) -> bool {
         demand.predicate != Predicate::Holds && self.graph().holder(id).is_some_and(|hand| hand.at == self.now.agent)
     }
@@ -184,7 +184,7 @@ impl Compiler<'_> {
             Predicate::Relation(Relation::SittingOn) if *demand.things[0] == [me] => self.posture(demand, Verb::Sit),
             Predicate::Relation(Relation::LyingOn) if *demand.things[0] == [me] => self.posture(demand, Verb::Lie),
             Predicate::State(word) if *demand.things[0] != [me] => self.state(demand, short, word),
-            Predicate::Did(verb) => self.deed(demand, short, verb),
+            Predicate::Did(verb) => self.done_action(demand, short, verb),
             _ => {
                 self.out.rest = true;
                 Ok(())
@@ -273,7 +273,7 @@ impl Compiler<'_> {
         if items.len() >= number && free < number {
             return Err(Unreachable::HeldByAnother(part()));
         }
-        // What runs and has no switch is never opened.
+        // A machine that runs and has no switch is never opened.
         let runs_on = |id: NodeId| {
             graph.node(id).is_some_and(|n| {
                 let harmless = n.affords(Property::Cooler) || n.affords(Property::Heater);
@@ -296,7 +296,7 @@ impl Compiler<'_> {
             _ => bits,
         });
         let units = run_of(self.out.start.needs, number);
-        // What finds no bits is left for later.
+        // Units for which no bits are left are planned later.
         self.out.more |= units.count_ones() < number as u32;
         self.out.rest |= self.out.more;
         self.out.start.needs |= units;
@@ -347,7 +347,7 @@ impl Compiler<'_> {
         }
         let mut ways = Vec::new();
         for &at in places.iter() {
-            // What stands on what moves is left to the general planner.
+            // Things on movable things are left to the general planner.
             if self.affords(at, Property::Graspable) {
                 continue;
             }

@@ -326,7 +326,7 @@ impl<'a, 'g> Reader<'a, 'g> {
             Term::Variable(name) => {
                 self.bound.iter().rev().find(|(n, _)| n == name).map_or(SmallList::NONE, |&(_, id)| SmallList::One(id))
             }
-            // An agent that has not been told what exists knows no thing by its number before seeing it.
+            // An agent in an unknown home knows no thing by its number before seeing it.
             Term::Node(_, id) => {
                 if self.now.graph.node(*id).is_some() {
                     SmallList::One(*id)

@@ -15,33 +15,33 @@ pub struct Step {
     pub step: usize,
     /// The room the agent was in.
     pub room: Option<String>,
-    /// How many things it saw.
+    /// The number of things that the agent saw.
     pub seen: usize,
-    /// Digest of what it saw.
+    /// Digest of the observation.
     pub sight: String,
     /// The observation before the step, if the [`EpisodeOptions`] keep it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub observation: Option<serde_json::Value>,
-    /// What it saw for the first time.
+    /// Things that the agent saw for the first time.
     pub found: Vec<String>,
-    /// Things it no longer believes where it guessed them.
+    /// Things that the agent no longer believes where it guessed them.
     pub disproved: Vec<String>,
-    /// Where it guessed the missing things that the goal is about.
+    /// The guessed places of the missing things that the goal is about.
     pub believed: Vec<String>,
-    /// Among how many places it guessed.
+    /// The number of places among which the agent guessed.
     pub places: usize,
-    /// Digest of its belief, if it has one.
+    /// Digest of the belief, if the policy has one.
     pub belief: Option<String>,
-    /// What it meant to do, the first of which it did.
+    /// The planned actions, the first of which is that of the step.
     pub plan: Vec<String>,
-    /// What it did.
+    /// The action.
     pub action: Action,
     /// The same, with the classes of the things.
     pub described: String,
-    /// Why it could not, if so; then nothing has changed.
+    /// The reason for which the action was refused, if it was; then nothing has changed.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub refused: Option<String>,
-    /// Digest of the scene after it.
+    /// Digest of the scene after the action.
     pub digest: String,
 }
 
@@ -90,7 +90,7 @@ pub struct Summary {
 }
 
 impl Episode {
-    /// What a record ends with.
+    /// The last line of a record.
     pub fn summary(&self) -> Summary {
         self.into()
     }
@@ -106,8 +106,8 @@ impl From<&Episode> for Summary {
 /// Lets a policy do a task in a world as its first agent, with seed 0. See [`EpisodeOptions`] for
 /// more.
 ///
-/// The verdict and the score are those of [`GoalProgress`]: of the true scene at the end, and for a goal with words of time
-/// of all that happened in the episode.
+/// The verdict and the score are those of [`GoalProgress`]: of the true scene at the end, and for a goal with words of
+/// time of all that happened in the episode.
 ///
 /// ```
 /// use vc_graph::{Draft, SceneBuilder, Simulator};
@@ -137,7 +137,7 @@ pub fn run_episode(policy: &mut dyn Policy, task: &Task, world: &mut dyn World) 
 /// How an episode is run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct EpisodeOptions {
-    /// Who acts; the first agent of the scene, if none.
+    /// The agent that acts; the first agent of the scene, if none is named.
     pub agent: Option<NodeId>,
     /// Where the policy's randomness comes from.
     pub seed: Seed,
@@ -172,8 +172,9 @@ impl EpisodeOptions {
 
     /// Lets a policy pursue a task until it is done, gives up or runs out of steps,
     /// telling `watch` each step. The verdict is by the true scene, not by what the
-    /// policy believes, and for a goal with words of time by the trace of true scenes: [`GoalProgress`]. An episode is lost at once in a scene without an agent, and for a task whose
-    /// goal has a name that stands for nothing ([`Task::lost`]).
+    /// policy believes, and for a goal with words of time by the trace of true scenes: [`GoalProgress`]. An episode is
+    /// lost at once in a scene without an agent, and for a task whose goal has a name that stands for nothing
+    /// ([`Task::lost`]).
     pub fn episode(
         &self,
         policy: &mut dyn Policy,

@@ -24,12 +24,12 @@ impl<'a> Expansion<'a> {
     /// The actions of macros from a state.
     pub(crate) fn write(problem: &'a Problem, start: State, ops: &[Op]) -> Vec<Action> {
         let carried = start.hands.iter().zip(problem.held).filter_map(|(&kind, id)| id.map(|id| (kind, id))).collect();
-        let mut tour = Self { problem, state: start, carried, actions: Vec::with_capacity(4 * ops.len()) };
+        let mut expansion = Self { problem, state: start, carried, actions: Vec::with_capacity(4 * ops.len()) };
         for &op in ops {
-            tour.op(op);
-            let _ = tour.problem.apply(&mut tour.state, op);
+            expansion.op(op);
+            let _ = expansion.problem.apply(&mut expansion.state, op);
         }
-        tour.actions
+        expansion.actions
     }
 
     fn act(&mut self, action: Action) {

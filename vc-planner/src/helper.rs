@@ -1,13 +1,12 @@
-//! Somebody who helps another whose goal it has to infer: Watch-And-Help's challenge.
+//! A policy that helps another agent whose goal it has to infer: Watch-And-Help's challenge.
 
 use vc_graph::{Action, Event, Goal, NodeId, Observation, SceneGraph, Scope, Verb, rule};
-use vc_tasks::{Outcome, Task, World, WorldError};
+use vc_tasks::WorldError;
 
-use crate::episode::{explained, refusal};
 use crate::policy::{EpisodeStart, Policy, RefusalResponse};
 use crate::shared::shared;
 use crate::trip::{Promise, Trip};
-use crate::{Agent, Belief, Decision, GoalRecognizer, Learned, Planner, Prior, SearchLimits, TeamEpisode, Unreachable};
+use crate::{Agent, Belief, Decision, GoalRecognizer, Learned, Planner, Prior, SearchLimits};
 
 /// It helps with a goal when it is likelier than this: than all others together.
 const SURE: f64 = 0.5;
@@ -15,17 +14,17 @@ const SURE: f64 = 0.5;
 /// A policy that watches another agent, infers which of some goals it pursues, and does
 /// what that one is not about to do itself.
 ///
-/// It makes no use of the task it is told. Until one goal is likely enough it watches, going
+/// It makes no use of the task of its episode. Until one goal is likely enough it watches, going
 /// after the other where it sees only its room; where nothing is left for it, it decides
 /// [`Decision::Done`]: it waits.
 ///
-/// What it sees of the other's deeds comes through [`Policy::saw`]; [`run_together`]
-/// tells those that happen in view.
+/// The other's actions come through [`Policy::saw`]; [`run_together`](crate::run_together)
+/// reports those that happen in view.
 #[derive(Debug, Clone)]
 pub struct Helper {
     goals: Vec<Goal>,
     scope: Scope,
-    watcher: GoalRecognizer,
+    recognizer: GoalRecognizer,
     planner: Planner,
     me: NodeId,
     agent: Option<Agent>,
@@ -42,24 +41,24 @@ impl Helper {
         Self::with(goals, Scope::Whole)
     }
 
-    /// A helper that has just moved in and sees the room it is in.
+    /// A helper that knows the plan of the home and sees the room it is in.
     pub fn in_known_home(goals: Vec<Goal>) -> Self {
         Self::with(goals, Scope::Room)
     }
 
     fn with(goals: Vec<Goal>, scope: Scope) -> Self {
-        let watcher = GoalRecognizer::new(goals.clone());
+        let recognizer = GoalRecognizer::new(goals.clone());
         let planner = Planner::with_limits(SearchLimits::FIRST_ANSWER);
-        Self { goals, scope, watcher, planner, me: NodeId(0), agent: None, other: None, trail: None, helping: None }
+        Self { goals, scope, recognizer, planner, me: NodeId(0), agent: None, other: None, trail: None, helping: None }
     }
 
     /// The goals with how likely they are; likeliest first.
     pub fn likely(&self) -> Vec<(&Goal, f64)> {
-        self.watcher.likely()
+        self.recognizer.likely()
     }
 
-    /// What it believes, with what it carries itself where it brings it, or else within
-    /// reach: it is not in the other's way.
+    /// The believed scene, with the things that it carries itself where it brings them, or else within
+    /// reach: they are not in the other's way.
     fn promised(&self) -> Option<SceneGraph> {
         let agent = self.agent.as_ref()?;
         let mut graph = agent.belief().graph().clone();
@@ -67,7 +66,7 @@ impl Helper {
         let held: Vec<NodeId> = edit.graph().held(self.me).collect();
         for id in held {
             let promise = agent.promises().iter().find(|(item, _)| *item == id);
-            // What cannot be imagined is not counted on.
+            // A promise that the edit refuses is not counted on.
             let _ = match promise {
                 Some((_, place)) => edit.place(id, *place),
                 None => edit.detach(id),
@@ -97,9 +96,9 @@ impl Helper {
         self.trail.filter(elsewhere).or_else(unseen)
     }
 
-    /// What the other will bring where on its next trip, if it pursues a goal: of what it
-    /// has in its hands or before its eyes. What it would have to look for first is
-    /// sooner brought by who knows where it is.
+    /// The deliveries of the other's next trip, if it pursues a goal, as far as they are about things that it
+    /// has in its hands or before its eyes. A thing that it would have to look for first is
+    /// sooner brought by an agent that knows where it is.
     fn foresee(&mut self, goal: &Goal) -> Vec<Promise> {
         let (Some(graph), Some(other)) = (self.promised(), self.other) else { return Vec::new() };
         let plan = self.planner.outline(&graph, other, goal, &[]).unwrap_or_default();
@@ -122,14 +121,14 @@ impl Policy for Helper {
         self.scope
     }
 
-    fn begin(&mut self, brief: &EpisodeStart<'_>) {
-        let EpisodeStart { scene, agent, seed, .. } = *brief;
+    fn begin(&mut self, start: &EpisodeStart<'_>) {
+        let EpisodeStart { scene, agent, seed, .. } = *start;
         let idle = Goal::And(Vec::new());
         self.agent = Some(match self.scope {
             Scope::Whole => Agent::oracle(scene, agent, idle),
             _ => Agent::with_prior(scene, agent, idle, seed.0, Prior::Kept),
         });
-        self.watcher = GoalRecognizer::new(self.goals.clone());
+        self.recognizer = GoalRecognizer::new(self.goals.clone());
         (self.me, self.other, self.trail, self.helping) = (agent, None, None, None);
     }
 
@@ -142,13 +141,13 @@ impl Policy for Helper {
         self.other = Some(event.agent);
         let mut after = before.clone();
         if rule::step(&mut after, event.agent, &event.action).is_ok() {
-            self.watcher.watch(&before, &after, event);
+            self.recognizer.watch(&before, &after, event);
             self.trail = after.room_of(event.agent);
         }
     }
 
     fn decide(&mut self) -> Decision {
-        let likely = self.watcher.likely();
+        let likely = self.recognizer.likely();
         let Some(goal) = likely.first().filter(|(_, chance)| *chance > SURE).map(|(goal, _)| (*goal).clone()) else {
             return self.watch_on();
         };
@@ -181,88 +180,5 @@ impl Policy for Helper {
 
     fn belief(&self) -> Option<&Belief> {
         self.agent.as_ref().map(Agent::belief)
-    }
-}
-
-/// After so many rounds in which nobody does anything it is over.
-const IDLE: usize = 4;
-
-/// Lets several policies act in one world, in rounds, each for an agent of its own, until
-/// the task's goal holds for the first of them, nobody does anything any more, or the
-/// step limit is reached. Each agent sees what the agents in its view do. Without a policy, or if the goal has a name that
-/// stands for nothing or somebody is no agent of the scene, the task is lost at once.
-pub fn run_together(
-    policies: &mut [(NodeId, &mut dyn Policy)],
-    task: &Task,
-    world: &mut dyn World,
-    seed: vc_graph::Seed,
-) -> TeamEpisode {
-    let ids: Vec<NodeId> = policies.iter().map(|(id, _)| *id).collect();
-    if let Some(lost) = TeamEpisode::hopeless(&ids, task, world.graph()) {
-        return lost;
-    }
-    for (agent, policy) in policies.iter_mut() {
-        policy.begin(&EpisodeStart { scene: world.graph(), agent: *agent, task, seed });
-    }
-    let mut progress = task.begin(world, policies[0].0);
-    let (mut rounds, mut actions, mut idle, mut reasons) = (0, 0, 0, Vec::new());
-    while rounds < task.step_limit && idle < IDLE && !progress.holds(world) {
-        reasons.clear();
-        let mut done = 0;
-        for index in 0..policies.len() {
-            match turn(policies, index, world) {
-                Turn::Done => done += 1,
-                Turn::Waited => {}
-                Turn::GaveUp(why) => reasons.push(explained(&why, task, world.graph())),
-                Turn::Refused(why) => reasons.push(why),
-            }
-            progress.note(world);
-        }
-        (rounds, actions) = (rounds + 1, actions + done);
-        idle = if done == 0 { idle + 1 } else { 0 };
-    }
-    let lost = if rounds < task.step_limit { Outcome::Lost } else { Outcome::TimedOut };
-    let outcome = if progress.holds(world) { Outcome::Won } else { lost };
-    TeamEpisode::ended(outcome, (rounds, actions), progress.score(world), reasons)
-}
-
-/// The result of a policy's turn.
-enum Turn {
-    Done,
-    Waited,
-    GaveUp(Unreachable),
-    Refused(String),
-}
-
-/// One policy looks, decides and acts; the others see it, if they can.
-fn turn(policies: &mut [(NodeId, &mut dyn Policy)], index: usize, world: &mut dyn World) -> Turn {
-    let (agent, policy) = &mut policies[index];
-    let agent = *agent;
-    policy.see(&world.graph().observe(agent, policy.scope()));
-    let action = match policy.decide() {
-        Decision::Act(action, _) => action,
-        Decision::Done => return Turn::Waited,
-        Decision::GiveUp(why) => return Turn::GaveUp(why),
-    };
-    let words = action.describe(world.graph()).to_string();
-    // Who goes out of view has been seen going.
-    let witnesses = |world: &dyn World, policies: &[(NodeId, &mut dyn Policy)]| -> Vec<bool> {
-        policies.iter().map(|(id, p)| *id != agent && world.graph().observe(*id, p.scope()).sees(agent)).collect()
-    };
-    let before = witnesses(world, policies);
-    match world.step(agent, &action) {
-        Ok(_) => {
-            policies[index].1.did(&action);
-            let after = witnesses(world, policies);
-            for (i, (_, other)) in policies.iter_mut().enumerate().filter(|(i, _)| before[*i] || after[*i]) {
-                debug_assert_ne!(i, index);
-                other.saw(&Event { agent, action });
-            }
-            Turn::Done
-        }
-        Err(why) => {
-            policies[index].1.refused(&action, &why);
-            Turn::Refused(refusal(&words, &why))
-        }
     }
 }

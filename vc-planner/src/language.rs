@@ -329,10 +329,10 @@ impl<F: FnMut(&Prompt) -> Result<String, String>> Policy for LanguageModel<F> {
         false
     }
 
-    fn begin(&mut self, brief: &EpisodeStart<'_>) {
-        self.agent = brief.agent;
-        self.goal = format!("{}. The task is done when: {}", brief.task.title, brief.task.goal);
-        self.scene = Some(brief.scene.clone());
+    fn begin(&mut self, start: &EpisodeStart<'_>) {
+        self.agent = start.agent;
+        self.goal = format!("{}. The task is done when: {}", start.task.title, start.task.goal);
+        self.scene = Some(start.scene.clone());
         (self.past, self.wrong, self.refusals) = (Vec::new(), None, 0);
     }
 

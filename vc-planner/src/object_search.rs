@@ -7,7 +7,6 @@
 //! order of decreasing probability over cost and delivers once both hands are full. All candidates are played
 //! in the same homes, and the worse half is dropped as the number of homes grows (Karnin, Koren and Somekh,
 //! *Almost Optimal Exploration in Multi-Armed Bandits*, 2013).
-//! and Somekh, *Almost Optimal Exploration in Multi-Armed Bandits*, 2013).
 
 mod play;
 mod world;
@@ -19,7 +18,7 @@ use play::Play;
 /// Largest numbers of sites, rooms, wanted things and kinds of lacking things: they are bits and small arrays.
 pub(crate) const MOST_SITES: usize = 512;
 pub(crate) const MOST_ROOMS: usize = 64;
-pub(crate) const MOST_QUARRIES: usize = 24;
+pub(crate) const MOST_OBJECTS: usize = 24;
 pub(crate) const MOST_LACKS: usize = 8;
 const MOST_ITEMS: usize = 12;
 pub(crate) const MOST_TARGETS: usize = 24;
@@ -88,7 +87,7 @@ pub(crate) struct ObjectSearch {
     pub(crate) rooms: Vec<(Range<u16>, u16)>,
     pub(crate) targets: Vec<Target>,
     pub(crate) lacks: Vec<Lacking>,
-    pub(crate) quarries: Vec<SoughtObject>,
+    pub(crate) sought_objects: Vec<SoughtObject>,
     pub(crate) items: Vec<Item>,
     /// Targets of the held things.
     pub(crate) hands: Vec<u8>,
@@ -157,9 +156,9 @@ impl ObjectSearch {
     fn sum_chances(&mut self) {
         let number = self.sites.len();
         let mut chances = vec![[0.0; MOST_LACKS]; number];
-        for quarry in &self.quarries {
-            for (sums, chance) in chances.iter_mut().zip(&quarry.chances) {
-                let sum = &mut sums[quarry.lack as usize];
+        for object in &self.sought_objects {
+            for (sums, chance) in chances.iter_mut().zip(&object.chances) {
+                let sum = &mut sums[object.lack as usize];
                 // The probability that at least one is there.
                 *sum = 1.0 - (1.0 - *sum) * (1.0 - chance);
             }

@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 use vc_graph::{NodeKind, Observation};
 
-/// An observation as JSON: `{"room": "kitchen.1", "things": [["cup.4", "CLEAN"]],
+/// An observation as JSON: `{"agent": "character.3", "room": "kitchen.1", "things": [["cup.4", "CLEAN"]],
 /// "relations": [["cup.4", "ON", "table.2"]]}`.
 pub(crate) fn as_json(seen: &Observation) -> Value {
     let label = |id| seen.get(id).map(|n| n.label().to_string());

@@ -25,9 +25,9 @@ impl OpenCondition {
 
 /// One open part of a goal; any of its options settles it.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Subgoal {
+pub(crate) struct Subgoal {
     /// The options, cheapest first.
-    pub options: Vec<OpenCondition>,
+    pub(crate) options: Vec<OpenCondition>,
 }
 
 impl std::fmt::Display for OpenCondition {

@@ -13,7 +13,7 @@ pub enum Horizon {
     Goal,
 }
 
-/// What to do, in order. Empty when the goal is known to hold.
+/// The actions to be done, in order. Empty when the goal is known to hold.
 ///
 /// ```
 /// use vc_graph::{Draft, History, SceneBuilder};

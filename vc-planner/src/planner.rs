@@ -14,7 +14,7 @@ use crate::regression::Regression;
 use crate::search::{Found, Search, SearchLimits};
 use crate::{Belief, KnownNodes};
 
-/// Plans for an agent in a scene it knows entirely, with the usual effort and no
+/// Plans for an agent in a scene it knows entirely, with the usual limits and no
 /// manners; see [`Planner`].
 ///
 /// Words of time are read as [`Goal::holds`] reads them in one situation: earlier states are taken to be as the present
@@ -61,7 +61,7 @@ const PARTS: usize = 64;
 pub struct Planner {
     pub(crate) search: Search,
     /// How much it searches.
-    pub effort: SearchLimits,
+    pub limits: SearchLimits,
     /// How it leaves the home.
     pub manners: Manners,
     /// The things that it has opened and switched so far, with their earlier states.
@@ -74,8 +74,8 @@ pub struct Planner {
 
 impl Planner {
     /// A planner that searches so much, without manners.
-    pub fn with_limits(effort: SearchLimits) -> Self {
-        Self { effort, ..Self::default() }
+    pub fn with_limits(limits: SearchLimits) -> Self {
+        Self { limits, ..Self::default() }
     }
 
     /// The things that have been touched, for planners that put them back.
@@ -223,7 +223,7 @@ impl Planner {
 
     /// Macros for a packed problem, and whether they are proved to be the best.
     pub(crate) fn solve(&mut self, compiled: &Compiled, goal: &Goal) -> Result<(Vec<Op>, bool), Unreachable> {
-        match self.search.solve(&compiled.problem, compiled.start, self.effort) {
+        match self.search.solve(&compiled.problem, compiled.start, self.limits) {
             Found::Way { ops, best, .. } => Ok((ops, best)),
             Found::Exhausted(_) if compiled.conflicts() => Err(Unreachable::Conflicting(goal.to_string())),
             Found::Exhausted(checked) => Err(Unreachable::SearchExhausted { goal: goal.to_string(), checked }),
@@ -260,7 +260,7 @@ impl Planner {
         let Some(Compiled { problem, start, .. }) = compiled.ok().filter(|c| !c.rest && c.lacks.is_empty()) else {
             return Refined::Best;
         };
-        match self.search.shorter(&problem, start, than, self.effort.improve / 2) {
+        match self.search.shorter(&problem, start, than, self.limits.improve / 2) {
             Found::Way { ops, best, .. } => Refined::Shorter(Expansion::write(&problem, start, &ops), best),
             Found::Exhausted(_) => Refined::Best,
             Found::Unfinished(_) => Refined::Unknown,

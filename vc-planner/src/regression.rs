@@ -32,7 +32,7 @@ pub(crate) struct Regression<'a> {
     known: &'a KnownNodes,
     /// Everything is known: whether the goal holds can be seen.
     knows_all: bool,
-    /// What has been opened and switched before, for those who put it back.
+    /// The things that have been opened and switched before, for agents that put them back.
     touched: Option<&'a Touched>,
     /// Where things that have not been found can be.
     unseen: &'a [Place],
@@ -40,7 +40,7 @@ pub(crate) struct Regression<'a> {
     events: Vec<Event>,
     done_before: usize,
     trail: Vec<ChangeSet>,
-    /// What is being brought about, outermost first: what is needed to bring
+    /// The conditions that are being brought about, outermost first: one that is needed to bring
     /// about itself is no help.
     open: Vec<Condition>,
     budget: usize,
@@ -122,7 +122,7 @@ impl<'a> Regression<'a> {
                 return Ok(Plan { actions: self.actions(), stretches, proved: false });
             }
             if subgoals.is_empty() {
-                // What is left came too late, or too early.
+                // The remaining parts came too late, or too early.
                 return Err(Unreachable::NoPlan(goal.to_string()));
             }
             let before = self.trail.len();
@@ -228,8 +228,8 @@ impl<'a> Regression<'a> {
         matches!(*condition, Condition::Near(id) if self.is_missing(id) && self.graph.place(id).is_none())
     }
 
-    /// Actions that bring a condition about. What can be anywhere and has not been
-    /// seen cannot be walked up to: one goes to the place where it is believed to
+    /// Actions that bring a condition about. A thing that can be anywhere and has not been
+    /// seen cannot be walked up to: the agent goes to the place where it is believed to
     /// be, or else to the room.
     fn ways(&self, condition: &Condition) -> Vec<Action> {
         match *condition {
@@ -275,9 +275,9 @@ impl<'a> Regression<'a> {
         false
     }
 
-    /// What an action needs. To do something to a thing that has not been found one must
-    /// first come to see it, whatever is supposed about it; what is to be held is seen when it is fetched, and need
-    /// not be near anything else then.
+    /// The conditions that an action needs. To do something to a thing that has not been found the agent must
+    /// first come to see it, whatever it supposes about the thing; a thing to be held is seen when it is fetched, and
+    /// need not be near anything else then.
     fn needs(&self, action: &Action) -> Vec<Condition> {
         let needs = rule::preconditions(action);
         let missing = action.things().filter(|&id| action.verb != Verb::Walk && self.is_missing(id));

@@ -42,7 +42,7 @@ impl Default for SearchLimits {
     }
 }
 
-/// What a search came to.
+/// The result of a search.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) enum Found {
     /// Macros to the goal, what they cost, and whether no others take fewer actions.
@@ -76,7 +76,7 @@ pub(crate) struct Search {
     /// with as many actions is no better to A*, one through fewer rooms is to a beam.
     under: u32,
     blur: u32,
-    /// What the bound counts for, in halves.
+    /// The weight of the bound, in halves.
     weight: u32,
 }
 
@@ -85,12 +85,12 @@ const SMALL_TABLE: usize = 256;
 const WIDEST: usize = 256;
 
 impl Search {
-    /// The cheapest way from a state to the goal that the effort allows.
-    pub(crate) fn solve(&mut self, problem: &Problem, start: State, effort: SearchLimits) -> Found {
-        let first = self.best_first(problem, start, 3, effort.first, u32::MAX);
+    /// The cheapest way from a state to the goal that the limits allow.
+    pub(crate) fn solve(&mut self, problem: &Problem, start: State, limits: SearchLimits) -> Found {
+        let first = self.best_first(problem, start, 3, limits.first, u32::MAX);
         let Found::Way { mut ops, mut cost, .. } = first else { return first };
         let least = problem.bound(&start) / ACTION;
-        let mut budget = effort.improve;
+        let mut budget = limits.improve;
         if cost / ACTION > least && budget > 0 {
             let width = (budget / (2 * ops.len().max(1))).clamp(1, WIDEST);
             budget = budget.saturating_sub(width * ops.len());

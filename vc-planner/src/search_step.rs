@@ -9,7 +9,7 @@ use crate::Belief;
 use crate::compile::{Compiled, anchor};
 use crate::manners::Manners;
 use crate::object_search::{
-    Item, Lacking, MOST_LACKS, MOST_QUARRIES, MOST_ROOMS, MOST_SITES, Move, ObjectSearch, Site, SoughtObject, Target,
+    Item, Lacking, MOST_LACKS, MOST_OBJECTS, MOST_ROOMS, MOST_SITES, Move, ObjectSearch, Site, SoughtObject, Target,
 };
 use crate::packed::Way;
 
@@ -230,8 +230,8 @@ impl<'a> Map<'a> {
     fn seek(&mut self) {
         for (number, lack) in self.compiled.lacks.iter().take(MOST_LACKS).enumerate() {
             let target = lack.ways.first().and_then(|way| self.target(way));
-            let before = self.search.quarries.len();
-            let wanted = lack.number.max(INSTANCES).min(MOST_QUARRIES.saturating_sub(self.search.quarries.len()));
+            let before = self.search.sought_objects.len();
+            let wanted = lack.number.max(INSTANCES).min(MOST_OBJECTS.saturating_sub(self.search.sought_objects.len()));
             for &id in lack.subjects.iter().take(wanted) {
                 let Some(chances) = self.belief.chances_of(id) else { continue };
                 let mut by_site = vec![0.0; self.search.sites.len()];
@@ -240,10 +240,10 @@ impl<'a> Map<'a> {
                         by_site[site as usize] += chances.at(index);
                     }
                 }
-                self.search.quarries.push(SoughtObject { lack: number as u8, chances: by_site });
+                self.search.sought_objects.push(SoughtObject { lack: number as u8, chances: by_site });
             }
             // Fixed things that merely have not been seen need not be searched.
-            let left = lack.number.min(self.search.quarries.len() - before) as u8;
+            let left = lack.number.min(self.search.sought_objects.len() - before) as u8;
             self.search.lacks.push(Lacking { left, target });
         }
     }

@@ -44,8 +44,8 @@ impl Deref for SmallList {
 
 impl FromIterator<NodeId> for SmallList {
     fn from_iter<I: IntoIterator<Item = NodeId>>(ids: I) -> Self {
-        let mut few = Self::NONE;
-        ids.into_iter().for_each(|id| few.push(id));
-        few
+        let mut list = Self::NONE;
+        ids.into_iter().for_each(|id| list.push(id));
+        list
     }
 }

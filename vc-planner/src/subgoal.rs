@@ -77,10 +77,10 @@ impl View<'_> {
     }
 
     /// The second part; the first must hold until then. Only the present value of a state is known: it matters
-    /// if the second part is a deed, before which there was a step.
+    /// if the second part is an action, before which there was a step.
     fn until<'g>(&self, meanwhile: &'g Goal, part: &'g Goal, bound: &mut Bindings<'g>) -> Found {
         let open = self.open(part, bound)?;
-        if !open.is_empty() || !speaks_of_deeds(part) || speaks_of_deeds(meanwhile) {
+        if !open.is_empty() || !speaks_of_actions(part) || speaks_of_actions(meanwhile) {
             return Ok(open);
         }
         self.open(meanwhile, bound)
@@ -89,7 +89,7 @@ impl View<'_> {
     /// The first part; the second must not hold before. A state that holds now is taken to have held before.
     fn before<'g>(&self, part: &'g Goal, later: &'g Goal, bound: &mut Bindings<'g>) -> Found {
         let open = self.open(part, bound)?;
-        if !open.is_empty() || speaks_of_deeds(later) {
+        if !open.is_empty() || speaks_of_actions(later) {
             return Ok(open);
         }
         self.not(later, bound)
@@ -205,10 +205,10 @@ fn presses(part: &Goal) -> bool {
 }
 
 /// Whether some part is about past actions.
-fn speaks_of_deeds(goal: &Goal) -> bool {
+fn speaks_of_actions(goal: &Goal) -> bool {
     match goal {
         Goal::Literal(literal) | Goal::Count { literal, .. } => matches!(literal.predicate, Predicate::Did(_)),
-        _ => goal.parts().into_iter().any(speaks_of_deeds),
+        _ => goal.parts().into_iter().any(speaks_of_actions),
     }
 }
 

@@ -1,18 +1,18 @@
-//! Several agents with one goal, and one that helps another whose goal it infers.
+//! Several agents with one goal.
 
-use vc_graph::{Event, Goal, NodeId, Refusal, SceneGraph, Scope, Verb};
+use vc_graph::{Goal, NodeId, Refusal, SceneGraph, Scope};
 use vc_tasks::{GoalProgress, Outcome, Task, World};
 
 use crate::episode::{explained, refusal};
 use crate::shared::shared;
-use crate::{Agent, Decision, Planner, SearchLimits, Summary};
+use crate::{Agent, Decision, Summary};
 
 /// Agents that share a goal and tell each other what they see and what they will do.
 ///
-/// What one has promised (to bring this there) counts as done for the others: no thing
-/// is fetched twice, and the rest of the goal is what they see to. Nobody closes or starts
-/// what another is bringing something to. A promise is for one trip, two things at most.
-/// What the goal says of the agent itself (what it holds, where it sits) is about the
+/// A delivery that one has promised (to bring this there) counts as done for the others: no thing
+/// is fetched twice, and the others see to the rest of the goal. Nobody closes or starts a
+/// container to which another is bringing something. A promise is for one trip, two things at most.
+/// Parts of the goal about the agent itself (what it holds, where it sits) are about the
 /// first of them.
 ///
 /// ```
@@ -68,9 +68,9 @@ impl TeamEpisode {
         let nobody = || ids.is_empty().then(|| "there is no agent to act: the team is empty".to_owned());
         let no_agent = ids.iter().copied().find(|id| !graph.agents().contains(id));
         let unknown = |id| graph.node(id).map_or(Refusal::NoSuchThing(id), |n| Refusal::NoAgent(n.label()));
-        let stranger = || no_agent.map(|id| unknown(id).to_string());
+        let outsider = || no_agent.map(|id| unknown(id).to_string());
         let misnamed = || task.lost(graph).map(|lost| lost.to_string());
-        let reason = nobody().or_else(misnamed).or_else(stranger)?;
+        let reason = nobody().or_else(misnamed).or_else(outsider)?;
         Some(Self { outcome: Outcome::Lost, rounds: 0, actions: 0, score: 0.0, reason: Some(reason) })
     }
 
@@ -191,69 +191,5 @@ impl Team {
             }
             agent.see(&seen[index]);
         }
-    }
-}
-
-/// Infers which of some goals somebody pursues, from what it is seen to do: an action
-/// that brings a goal nearer speaks for it (Ramirez and Geffner, AAAI 2010; inverse
-/// planning, Baker, Saxe and Tenenbaum 2009).
-///
-/// ```
-/// use vc_graph::Goal;
-/// use vc_planner::GoalRecognizer;
-/// let goals: Vec<Goal> = vec!["Open(fridge)".parse()?, "Open(stove)".parse()?];
-/// let recognizer = GoalRecognizer::new(goals);
-/// assert!(recognizer.likely().iter().all(|(_, chance)| (*chance - 0.5).abs() < 1e-9), "nothing was watched yet");
-/// # Ok::<(), vc_graph::goal::GoalError>(())
-/// ```
-#[derive(Debug, Clone)]
-pub struct GoalRecognizer {
-    goals: Vec<Goal>,
-    /// Logarithms of how well each explains what was seen.
-    weights: Vec<f64>,
-    planner: Planner,
-}
-
-/// How much a deed that does not bring a goal nearer speaks against it: something was
-/// taken, put or used.
-const AGAINST: f64 = 2.5;
-/// How much going somewhere or looking into something does: who does not know where
-/// things are has to.
-const ASTRAY: f64 = 0.2;
-
-impl GoalRecognizer {
-    /// Somebody who thinks that the other pursues one of these, each as likely.
-    pub fn new(goals: Vec<Goal>) -> Self {
-        let weights = vec![0.0; goals.len()];
-        Self { goals, weights, planner: Planner { effort: SearchLimits::FIRST_ANSWER, ..Planner::default() } }
-    }
-
-    /// Takes note of an action that another did: the scene before it and after it.
-    pub fn watch(&mut self, before: &SceneGraph, after: &SceneGraph, event: &Event) {
-        for (goal, weight) in self.goals.iter().zip(&mut self.weights) {
-            let mut left = |graph: &SceneGraph, events: &[Event]| {
-                self.planner
-                    .plan(&mut graph.clone(), event.agent, goal, events)
-                    .map_or(f64::INFINITY, |p| p.actions.len() as f64)
-            };
-            let (was, is) = (left(before, &[]), left(after, std::slice::from_ref(event)));
-            // What cannot be planned for says nothing.
-            if was.is_finite() && is >= was {
-                let looking =
-                    matches!(event.action.verb, Verb::Walk | Verb::Run | Verb::Find | Verb::Open | Verb::Close);
-                *weight -= if looking { ASTRAY } else { AGAINST };
-            }
-        }
-    }
-
-    /// The goals with how likely they are; they sum to one. Likeliest first, then in
-    /// the order given.
-    pub fn likely(&self) -> Vec<(&Goal, f64)> {
-        let most = self.weights.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-        let raw: Vec<f64> = self.weights.iter().map(|w| (w - most).exp()).collect();
-        let sum: f64 = raw.iter().sum();
-        let mut all: Vec<(&Goal, f64)> = self.goals.iter().zip(raw.iter().map(|w| w / sum)).collect();
-        all.sort_by(|a, b| b.1.total_cmp(&a.1));
-        all
     }
 }

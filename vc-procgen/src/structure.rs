@@ -23,9 +23,9 @@ const CASING: f32 = 0.06;
 
 /// All items of the building, in the order walls, floors, ceilings, doors, windows.
 pub(crate) fn build(plan: &FloorPlan, style: &Style, seed: Seed) -> Vec<Item> {
-    let looks = Looks::new(plan, style, seed);
-    let mut items = walls(plan, &looks);
-    items.extend((0..plan.rooms.len()).map(|room| floor(plan, room, &looks)));
+    let finishes = Finishes::new(plan, style, seed);
+    let mut items = walls(plan, &finishes);
+    items.extend((0..plan.rooms.len()).map(|room| floor(plan, room, &finishes)));
     let roofed = (0..plan.rooms.len()).filter(|&r| plan.rooms[r].kind != RoomKind::Balcony);
     items.extend(roofed.map(|room| ceiling(plan, room, style)));
     items.extend(plan.openings.iter().enumerate().filter_map(|(i, o)| opening(plan, o, style, seed.nth(i as u64))));
@@ -33,14 +33,14 @@ pub(crate) fn build(plan: &FloorPlan, style: &Style, seed: Seed) -> Vec<Item> {
 }
 
 /// The materials of walls and floors by room.
-struct Looks {
+struct Finishes {
     walls: Vec<MaterialId>,
     floors: Vec<MaterialId>,
     outside: MaterialId,
     joinery: MaterialId,
 }
 
-impl Looks {
+impl Finishes {
     fn new(plan: &FloorPlan, style: &Style, seed: Seed) -> Self {
         use vc_shapes::material::{BRICK, CONCRETE, PLASTER, SANDSTONE, WHITE_TILE};
         let mut rng = seed.child("looks").stream();
@@ -73,20 +73,20 @@ struct Piece {
 
 /// The walls room by room: the ring between a room's gross and net area belongs to the room, the
 /// wall outside all rooms to the building.
-fn walls(plan: &FloorPlan, looks: &Looks) -> Vec<Item> {
+fn walls(plan: &FloorPlan, finishes: &Finishes) -> Vec<Item> {
     let pieces = pieces(plan);
     let mut skirtings = skirtings(plan);
     let mut items = Vec::new();
     for piece in &pieces {
         let balcony = plan.rooms[piece.room].kind == RoomKind::Balcony && !piece.outside;
         let mut solids = Solids::new(if balcony { "railing" } else { "wall" });
-        let mat = if piece.outside { looks.outside } else { looks.walls[piece.room] };
+        let mat = if piece.outside { finishes.outside } else { finishes.walls[piece.room] };
         if balcony {
             solids.block(
                 "railing",
                 corner(piece.rect.x0, piece.rect.y0, 0.0),
                 corner(piece.rect.x1, piece.rect.y1, 1.05),
-                looks.joinery,
+                finishes.joinery,
             );
         } else {
             cut(plan, piece.rect, &plan.openings, &mut solids, mat);
@@ -99,7 +99,7 @@ fn walls(plan: &FloorPlan, looks: &Looks) -> Vec<Item> {
                             "skirting",
                             [board[0], board[1], board[2]],
                             [board[3], board[4], board[5]],
-                            looks.joinery,
+                            finishes.joinery,
                         );
                     }
                     !mine
@@ -258,7 +258,7 @@ fn board(edge: &crate::plan::Boundary, from: f32, to: f32) -> [f32; 6] {
 }
 
 /// A room's floor, with the thresholds of its outer doors.
-fn floor(plan: &FloorPlan, room: usize, looks: &Looks) -> Item {
+fn floor(plan: &FloorPlan, room: usize, finishes: &Finishes) -> Item {
     let mut solids = Solids::new("floor");
     let own = &plan.rooms[room];
     let mut rects = own.rects.clone();
@@ -279,7 +279,7 @@ fn floor(plan: &FloorPlan, room: usize, looks: &Looks) -> Item {
         }
     }
     for rect in &rects {
-        solids.block("floor", corner(rect.x0, rect.y0, -SLAB), corner(rect.x1, rect.y1, 0.0), looks.floors[room]);
+        solids.block("floor", corner(rect.x0, rect.y0, -SLAB), corner(rect.x1, rect.y1, 0.0), finishes.floors[room]);
     }
     for rect in own.net() {
         solids.top("floor", &rect);

@@ -283,12 +283,12 @@ fn each(q: &Quantified, start: &Moment<'_>) -> Vec<Goal> {
 
 /// Whether a goal can hold at a single step, in which one action is done.
 fn is_momentary(goal: &Goal) -> bool {
-    !goal.is_temporal() && deeds(goal) <= 1
+    !goal.is_temporal() && done_actions(goal) <= 1
 }
 
 /// How many actions a goal wants to have been done.
-fn deeds(goal: &Goal) -> usize {
-    let parts = goal.parts().into_iter().map(deeds);
+fn done_actions(goal: &Goal) -> usize {
+    let parts = goal.parts().into_iter().map(done_actions);
     match goal {
         Goal::Literal(literal) => usize::from(matches!(literal.predicate, Predicate::Did(_))),
         Goal::Count { literal, number, .. } if matches!(literal.predicate, Predicate::Did(_)) => *number as usize,

@@ -9,7 +9,7 @@ use super::{Agent, Decision};
 impl Agent {
     /// Whether unknown things might change a decision.
     pub(super) fn may_be_rash(&self, decision: &Decision) -> bool {
-        self.belief.is_stranger()
+        self.belief.is_in_unknown_home()
             && match decision {
                 Decision::GiveUp(_) => true,
                 Decision::Done => speaks_of_all(&self.goal),

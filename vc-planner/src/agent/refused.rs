@@ -5,7 +5,7 @@ use std::iter::once;
 
 use vc_graph::{Action, Digest, NodeId, Observation, Property, Relation, Verb, rule};
 
-use super::stages::ContractViolation;
+use super::stages::ConstraintViolation;
 use super::{Agent, Decision, Mind};
 use crate::Plan;
 use crate::compile::{anchor, is_ground};
@@ -73,7 +73,7 @@ impl Agent {
                 (Decision::GiveUp(_), Some(why)) => return Decision::GiveUp(why),
                 (decision, _) => return decision,
             };
-            if let Some(ContractViolation { why, action }) = self.breach(&plan.actions) {
+            if let Some(ConstraintViolation { why, action }) = self.breach(&plan.actions) {
                 self.forget_plans();
                 self.breach = Some(why.clone());
                 if !action.is_some_and(|action| self.bar(&action)) {
@@ -86,7 +86,7 @@ impl Agent {
                 return Decision::Act(action, plan);
             }
             vain = Some(action);
-            // It was thought of, and not tried again.
+            // It was decided on, and not tried again.
             self.tried.pop();
             self.forget_plans();
             if let Some(detour) = self.detour(&action) {

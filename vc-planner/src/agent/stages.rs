@@ -10,8 +10,8 @@ use crate::open_condition::Unreachable;
 /// Most stages and alternatives that are gone through for one decision.
 const STAGES: usize = 64;
 
-/// Why a plan is not taken.
-pub(super) struct ContractViolation {
+/// The reason for which a plan is not taken.
+pub(super) struct ConstraintViolation {
     pub(super) why: Unreachable,
     /// The action that breaks a part; none if the plan only takes too long.
     pub(super) action: Option<Action>,
@@ -67,7 +67,7 @@ impl Agent {
     }
 
     /// Whether a plan breaks what must stay so until the aim is reached, or reaches it too late.
-    pub(super) fn breach(&self, plan: &[Action]) -> Option<ContractViolation> {
+    pub(super) fn breach(&self, plan: &[Action]) -> Option<ConstraintViolation> {
         let aim = self.aim.as_ref().filter(|aim| aim.by.is_some() || !aim.guards.is_empty())?;
         let mut graph = self.belief.graph().clone();
         let mut events = self.history.events().get(self.since()..).unwrap_or_default().to_vec();
@@ -97,16 +97,16 @@ impl Agent {
         guard.goal.holds(&Situation { graph, agent: self.id, events })
     }
 
-    fn broken(&self, goal: &Goal, guard: &Guard, action: &Action) -> ContractViolation {
+    fn broken(&self, goal: &Goal, guard: &Guard, action: &Action) -> ConstraintViolation {
         let described = action.describe(self.belief.graph()).to_string();
         let why = Unreachable::Breaks { goal: goal.to_string(), part: guard.part.clone(), action: described };
-        ContractViolation { why, action: Some(*action) }
+        ConstraintViolation { why, action: Some(*action) }
     }
 
-    fn too_late(&self, aim: &Aim, more: usize) -> Option<ContractViolation> {
+    fn too_late(&self, aim: &Aim, more: usize) -> Option<ConstraintViolation> {
         let (by, part) = aim.by.as_ref()?;
         let steps = self.history.events().len() + more;
         (steps > *by)
-            .then(|| ContractViolation { why: Unreachable::TooLate { part: part.clone(), steps }, action: None })
+            .then(|| ConstraintViolation { why: Unreachable::TooLate { part: part.clone(), steps }, action: None })
     }
 }

@@ -1,4 +1,4 @@
-//! How likely a thing is where, and how that is told.
+//! The probabilities of a thing's places, and the text of a belief.
 
 use std::fmt;
 
@@ -118,7 +118,7 @@ impl Belief {
     }
 }
 
-/// What is missing, and where it is likeliest.
+/// The missing things, each with its likeliest places.
 impl fmt::Display for Belief {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         const SHOWN: usize = 3;

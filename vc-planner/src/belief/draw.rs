@@ -29,7 +29,7 @@ impl Belief {
     /// let fridge = scene.add_in(kitchen, Draft::new("fridge"))?;
     /// let milk = scene.add_in(fridge, Draft::new("milk"))?;
     /// let me = scene.add_in(kitchen, Draft::new("character"))?;
-    /// let svg = Belief::of_known_home(&scene.build(), me, 0).to_svg(&[milk]);
+    /// let svg = Belief::in_known_home(&scene.build(), me, 0).to_svg(&[milk]);
     /// assert!(svg.contains("inside fridge"));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```

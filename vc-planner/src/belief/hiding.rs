@@ -1,4 +1,4 @@
-//! What is still missing: found, lost, or guessed anew where it was not.
+//! The things still missing: found, lost, or guessed anew after their place was seen without them.
 
 use rand_chacha::rand_core::Rng;
 use vc_graph::{Node, NodeId, NodeKind, Observation, Place, Property, Relation};
@@ -109,11 +109,11 @@ impl Belief {
     /// there is guessed elsewhere, what is known there cannot be picked up. Whether there was
     /// anything to expect.
     pub(crate) fn exclude(&mut self, id: NodeId) -> bool {
-        if self.graph.node(id).is_none_or(|n| n.kind() != NodeKind::Object) || self.shunned.contains(&id) {
+        if self.graph.node(id).is_none_or(|n| n.kind() != NodeKind::Object) || self.excluded.contains(&id) {
             return false;
         }
-        self.shunned.push(id);
-        self.leave_out_shunned();
+        self.excluded.push(id);
+        self.leave_out_excluded();
         self.resample(&mut Learned::default());
         let known = |n: &NodeId| self.graph.rests_at(*n, id) && !self.is_missing(*n);
         let there: Vec<NodeId> = self.graph.nodes().map(Node::id).filter(known).collect();
@@ -124,10 +124,10 @@ impl Belief {
     }
 
     /// Looks for nothing where it cannot get.
-    fn leave_out_shunned(&mut self) {
+    fn leave_out_excluded(&mut self) {
         for index in 0..self.places.len() {
             let at = self.places[index].at;
-            let out = self.shunned.iter().any(|&id| id == at || self.graph.rests_at(at, id));
+            let out = self.excluded.iter().any(|&id| id == at || self.graph.rests_at(at, id));
             if out && !self.seen[index] {
                 self.seen[index] = true;
                 self.supposed.values_mut().for_each(|class| class.leave_out(self.kinds.of_place(index)));
@@ -172,7 +172,7 @@ impl Belief {
         self.seen.fill(false);
         self.widened += 1;
         self.supposed.values_mut().for_each(|class| class.left = [1.0; 2]);
-        self.leave_out_shunned();
+        self.leave_out_excluded();
         self.tidiness.settle(self.supposed.values(), 1.0);
     }
 }

@@ -6,8 +6,8 @@ use super::Belief;
 use crate::prior::Kinds;
 
 impl Belief {
-    /// A container that can be carried is a place from when it has been seen; for who was not
-    /// told of the furniture all surfaces and containers are.
+    /// A container that can be carried is a place from when it has been seen; in an unknown home
+    /// all surfaces and containers are.
     pub(super) fn learn_places(&mut self, node: &Node, room: Option<NodeId>) {
         let opens = [Property::Graspable, Property::Container, Property::Openable];
         if (self.in_unknown_home || !self.missing.is_empty()) && opens.into_iter().all(|p| node.affords(p)) {

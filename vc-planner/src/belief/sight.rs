@@ -81,7 +81,7 @@ impl Belief {
         if self.barred.len() <= kept {
             return;
         }
-        self.shunned.clear();
+        self.excluded.clear();
         let mut edit = self.graph.edit();
         for (id, property) in self.barred.drain(kept..) {
             // It was taken from a node that is there.

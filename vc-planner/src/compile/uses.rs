@@ -1,4 +1,4 @@
-//! Actions on things at their places: doors, switches, deeds and postures.
+//! Actions on things at their places: doors, switches, done actions and postures.
 
 use vc_graph::{Action, Condition, NodeId, Property, Relation, State as Word, Verb, rule};
 
@@ -142,8 +142,8 @@ impl Compiler<'_> {
         }
     }
 
-    /// A deed that is to be done.
-    pub(super) fn deed(&mut self, demand: &Demand<'_>, short: usize, verb: Verb) -> Result<()> {
+    /// An action that is to be done.
+    pub(super) fn done_action(&mut self, demand: &Demand<'_>, short: usize, verb: Verb) -> Result<()> {
         let (graph, me) = (self.now.graph, self.now.agent);
         if verb.arity() == 0 {
             let free = rule::preconditions(&Action::zero(verb)).is_empty();

@@ -107,7 +107,7 @@ impl Play {
         if self.entered >> room & 1 == 0 {
             self.entered |= 1 << room;
             let (range, shut) = &search.rooms[room as usize];
-            (range.start..*shut).for_each(|s| self.open_contents(search, world, s));
+            (range.start..*shut).for_each(|s| self.see_contents(search, world, s));
         }
     }
 
@@ -117,16 +117,16 @@ impl Play {
             self.go(search, world, search.room_of[site as usize], spot);
         }
         self.cost += search.opening;
-        self.open_contents(search, world, site);
+        self.see_contents(search, world, site);
     }
 
-    fn open_contents(&mut self, search: &ObjectSearch, world: &World, site: u16) {
+    fn see_contents(&mut self, search: &ObjectSearch, world: &World, site: u16) {
         self.seen[site as usize / 64] |= 1 << (site % 64);
         self.stale |= 1 << search.room_of[site as usize];
         let new = world.things_at(site) & !self.found;
         self.found |= new;
         for i in ones(u64::from(new)) {
-            let lack = search.quarries[i].lack as usize;
+            let lack = search.sought_objects[i].lack as usize;
             if self.left[lack] == 0 {
                 continue;
             }
@@ -173,7 +173,7 @@ impl Play {
         if let Some(site) = target.door.filter(|s| !self.has_seen(*s)) {
             // A full hand is emptied first and filled again afterwards.
             self.cost += 1 + 2 * u32::from(self.full());
-            self.open_contents(search, world, site);
+            self.see_contents(search, world, site);
         }
         self.cost += 1;
         (self.held[hand as usize], self.hands) = (None, self.hands - 1);

@@ -1,8 +1,8 @@
 //! Sampled homes for rollouts: possible places of the wanted things.
 
-use super::{ALL, MOST_QUARRIES, ObjectSearch, STAGES, SoughtObject};
+use super::{ALL, MOST_OBJECTS, ObjectSearch, STAGES, SoughtObject};
 
-/// A home with its probability, and the quarries at each site as bits.
+/// A home with its probability, and the sought objects at each site as bits.
 #[derive(Debug, Clone, Default)]
 pub(super) struct World {
     pub(super) chance: f64,
@@ -10,7 +10,7 @@ pub(super) struct World {
 }
 
 impl World {
-    /// The quarries at a site, as bits.
+    /// The sought objects at a site, as bits.
     pub(super) fn things_at(&self, site: u16) -> u32 {
         self.at.get(site as usize).copied().unwrap_or(0)
     }
@@ -19,7 +19,7 @@ impl World {
 impl ObjectSearch {
     /// The homes for rollouts, and whether they are an enumeration of all rather than a sample.
     pub(super) fn worlds(&self) -> (Vec<World>, bool) {
-        let mut supports = self.quarries.iter().map(|q| q.chances.iter().filter(|c| **c > 0.0).count());
+        let mut supports = self.sought_objects.iter().map(|q| q.chances.iter().filter(|c| **c > 0.0).count());
         match supports.try_fold(1usize, |all, n| all.checked_mul(n)) {
             Some(n) if n <= ALL => (self.all_worlds(), true),
             _ => (self.draw(STAGES[2]), false),
@@ -28,8 +28,8 @@ impl ObjectSearch {
 
     fn all_worlds(&self) -> Vec<World> {
         let mut worlds = vec![World { chance: 1.0, at: vec![0; self.sites.len()] }];
-        for (number, quarry) in self.quarries.iter().enumerate() {
-            let possible = || quarry.chances.iter().enumerate().filter(|(_, chance)| **chance > 0.0);
+        for (number, object) in self.sought_objects.iter().enumerate() {
+            let possible = || object.chances.iter().enumerate().filter(|(_, chance)| **chance > 0.0);
             let with = |world: &World| -> Vec<World> {
                 let put = |(site, chance): (usize, &f64)| {
                     let mut next = World { chance: world.chance * chance, at: world.at.clone() };
@@ -43,14 +43,14 @@ impl ObjectSearch {
         worlds
     }
 
-    /// Samples a number of homes: for each quarry the points of a Kronecker sequence, which are more evenly
+    /// Samples a number of homes: for each object the points of a Kronecker sequence, which are more evenly
     /// distributed than random ones.
     fn draw(&self, homes: usize) -> Vec<World> {
         let mut worlds = vec![World { chance: 1.0, at: vec![0; self.sites.len()] }; homes];
-        for (number, quarry) in self.quarries.iter().enumerate() {
+        for (number, object) in self.sought_objects.iter().enumerate() {
             let step = f64::from(PRIMES[number % PRIMES.len()]).sqrt().fract();
-            let Some(last) = quarry.chances.iter().rposition(|chance| *chance > 0.0) else { continue };
-            let sums = running_sums(quarry);
+            let Some(last) = object.chances.iter().rposition(|chance| *chance > 0.0) else { continue };
+            let sums = running_sums(object);
             for (home, world) in worlds.iter_mut().enumerate() {
                 let point = (0.5 + (home + 1) as f64 * step).fract() * sums[last];
                 let site = sums.partition_point(|sum| *sum <= point).min(last);
@@ -61,13 +61,13 @@ impl ObjectSearch {
     }
 }
 
-fn running_sums(quarry: &SoughtObject) -> Vec<f64> {
+fn running_sums(object: &SoughtObject) -> Vec<f64> {
     let add = |sum: &mut f64, chance: &f64| {
         *sum += chance;
         Some(*sum)
     };
-    quarry.chances.iter().scan(0.0, add).collect()
+    object.chances.iter().scan(0.0, add).collect()
 }
 
-const PRIMES: [u8; MOST_QUARRIES] =
+const PRIMES: [u8; MOST_OBJECTS] =
     [2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47, 53, 59, 61, 67, 71, 73, 79, 83, 89];

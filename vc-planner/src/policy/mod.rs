@@ -37,7 +37,7 @@ pub enum RefusalResponse {
     Stop,
 }
 
-/// Somebody who decides what an agent does.
+/// Decides what an agent does.
 ///
 /// It is object-safe: runners take `&mut dyn Policy`.
 ///
@@ -78,7 +78,7 @@ pub trait Policy {
     }
 
     /// A new episode begins.
-    fn begin(&mut self, brief: &EpisodeStart<'_>);
+    fn begin(&mut self, start: &EpisodeStart<'_>);
 
     /// Takes in what is seen.
     fn see(&mut self, seen: &Observation) -> Learned;
@@ -90,12 +90,13 @@ pub trait Policy {
     fn did(&mut self, action: &Action);
 
     /// The action was refused, for this reason, and nothing has changed. By default the episode ends here as
-    /// [`Aborted`](vc_tasks::Outcome::Aborted); with [`RefusalResponse::GoOn`] it goes on, and the refusal counts as a step.
+    /// [`Aborted`](vc_tasks::Outcome::Aborted); with [`RefusalResponse::GoOn`] it goes on, and the refusal counts as a
+    /// step.
     fn refused(&mut self, _action: &Action, _why: &WorldError) -> RefusalResponse {
         RefusalResponse::Stop
     }
 
-    /// Another agent in view has done something, before the next look.
+    /// Another agent in view has done something, before the next observation.
     fn saw(&mut self, _event: &Event) {}
 
     /// The belief about where things are, if the policy has one.

@@ -88,20 +88,20 @@ macro_rules! plans {
     };
 }
 
-/// Somebody who knows the plan of the home and searches it.
+/// A planner with a belief: it searches the home for the things that its goal is about.
 #[derive(Debug, Clone)]
 pub struct PlannerPolicy {
     name: &'static str,
     planning: Planning,
     /// The prior about where things are; `None` for the thesis's agent.
     prior: Option<Prior>,
-    /// It has been told what furniture and which things there are.
+    /// It knows from the beginning what furniture and which things there are.
     knows_home: bool,
     manners: Manners,
 }
 
 impl PlannerPolicy {
-    /// The best planner: things are where people keep them, the look that is most
+    /// The best planner: things are where people keep them, the search step that is most
     /// worth it first, two hands.
     ///
     /// ```
@@ -128,8 +128,8 @@ impl PlannerPolicy {
     ///
     /// ```
     /// use vc_planner::{Policy, PlannerPolicy};
-    /// let policy = PlannerPolicy::in_unknown_home().named("newcomer");
-    /// assert_eq!(policy.name(), "newcomer");
+    /// let policy = PlannerPolicy::in_unknown_home().named("unknown home");
+    /// assert_eq!(policy.name(), "unknown home");
     /// ```
     pub fn in_unknown_home() -> Self {
         Self { name: "stranger", knows_home: false, ..Self::best() }
@@ -164,8 +164,8 @@ impl Policy for PlannerPolicy {
         self.name
     }
 
-    fn begin(&mut self, brief: &EpisodeStart<'_>) {
-        let EpisodeStart { scene, agent, task, seed } = *brief;
+    fn begin(&mut self, start: &EpisodeStart<'_>) {
+        let EpisodeStart { scene, agent, task, seed } = *start;
         let agent = match &self.prior {
             _ if !self.knows_home => Agent::in_unknown_home(scene, agent, task.goal.clone(), seed.0),
             None => Agent::faithful(scene, agent, task.goal.clone(), seed.0),
@@ -177,7 +177,7 @@ impl Policy for PlannerPolicy {
     plans!();
 }
 
-/// The oracle: somebody who knows everything and sees everything.
+/// The oracle: it knows everything and sees everything.
 #[derive(Debug, Clone)]
 pub struct OraclePolicy {
     planning: Planning,
@@ -207,8 +207,8 @@ impl Policy for OraclePolicy {
         Scope::Whole
     }
 
-    fn begin(&mut self, brief: &EpisodeStart<'_>) {
-        let agent = Agent::oracle(brief.scene, brief.agent, brief.task.goal.clone());
+    fn begin(&mut self, start: &EpisodeStart<'_>) {
+        let agent = Agent::oracle(start.scene, start.agent, start.task.goal.clone());
         // Others are measured by its plans.
         self.planning
             .begin(agent.planning(Horizon::Goal).with_limits(SearchLimits::THOROUGH).with_manners(self.manners));

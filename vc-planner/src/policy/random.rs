@@ -87,9 +87,9 @@ impl Policy for RandomPolicy {
         false
     }
 
-    fn begin(&mut self, brief: &EpisodeStart<'_>) {
-        self.things = objects_of_interest(brief.scene, &brief.task.goal);
-        self.stream = Some(brief.seed.child("random policy").stream());
+    fn begin(&mut self, start: &EpisodeStart<'_>) {
+        self.things = objects_of_interest(start.scene, &start.task.goal);
+        self.stream = Some(start.seed.child("random policy").stream());
     }
 
     fn see(&mut self, _: &Observation) -> Learned {

@@ -13,7 +13,7 @@ pub(crate) struct Kinds {
     /// The kind of each place.
     of: Vec<u16>,
     /// The places where the scene's class table keeps things of related classes.
-    kin: Arc<RelatedClasses>,
+    related: Arc<RelatedClasses>,
 }
 
 /// Places that are alike.
@@ -35,7 +35,7 @@ pub(crate) struct PlaceKind {
 
 impl Kinds {
     pub(crate) fn new(graph: &SceneGraph, places: &[Place]) -> Self {
-        let mut kinds = Self { kin: RelatedClasses::new(graph.classes()), ..Self::default() };
+        let mut kinds = Self { related: RelatedClasses::new(graph.classes()), ..Self::default() };
         places.iter().for_each(|place| kinds.add(graph, place, graph.room_of(place.at)));
         kinds
     }
@@ -56,8 +56,8 @@ impl Kinds {
         &self.all
     }
 
-    pub(crate) fn kin(&self) -> &RelatedClasses {
-        &self.kin
+    pub(crate) fn related(&self) -> &RelatedClasses {
+        &self.related
     }
 
     /// The number of the kind of a place.

@@ -26,12 +26,12 @@ impl RelatedClasses {
     }
 
     fn read(classes: &ClassTable) -> Self {
-        let (mut kin, mut members) = (Self::default(), BTreeMap::<Arc<str>, f64>::new());
+        let (mut related, mut members) = (Self::default(), BTreeMap::<Arc<str>, f64>::new());
         for class in classes.iter().filter(|c| !c.kept.is_empty()) {
             let all: f64 = class.kept.iter().map(|k| f64::from(k.weight)).sum();
             for (group, _) in groups(classes, class) {
                 *members.entry(group.clone()).or_default() += 1.0;
-                let parts = kin.0.entry(group).or_default();
+                let parts = related.0.entry(group).or_default();
                 for habit in &class.kept {
                     let known = |at: &Arc<str>| classes.get(at).map_or_else(|| at.clone(), |c| c.name.clone());
                     let at = habit.at.as_ref().map(|(relation, at)| (*relation, known(at)));
@@ -39,10 +39,10 @@ impl RelatedClasses {
                 }
             }
         }
-        for (group, parts) in &mut kin.0 {
+        for (group, parts) in &mut related.0 {
             parts.values_mut().for_each(|part| *part /= members[group]);
         }
-        kin
+        related
     }
 
     /// The fraction of a thing's relatives that is kept at a kind of place, with a higher weight for closer

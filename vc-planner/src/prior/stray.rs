@@ -22,11 +22,11 @@ const LEAST: f64 = 1e-6;
 const LARGEST: f64 = 1.0;
 
 /// The unnormalized probability that a thing is at any of the places of a kind.
-pub(crate) fn stray(graph: &SceneGraph, kin: &RelatedClasses, id: NodeId, kind: &PlaceKind, home: bool) -> f64 {
+pub(crate) fn stray(graph: &SceneGraph, related: &RelatedClasses, id: NodeId, kind: &PlaceKind, home: bool) -> f64 {
     let classes = graph.classes();
     let thing = graph.node(id).and_then(|n| classes.get(n.class()));
     let at = (!kind.floor).then(|| classes.get(&kind.at)).flatten();
-    let kept = thing.map_or(0.0, |thing| kin.part(classes, thing, kind.relation, at));
+    let kept = thing.map_or(0.0, |thing| related.part(classes, thing, kind.relation, at));
     let fits = fits(size(graph, id), kind);
     (ANY + kept) * volume(kind).powf(GROWTH) * if fits { 1.0 } else { MISFIT } * if home { 1.0 } else { FOREIGN }
 }

@@ -27,7 +27,7 @@ const LEAST: f64 = 1e-12;
 pub(crate) struct Supposed {
     /// One of them.
     pub(crate) example: NodeId,
-    /// The weights that habit and kin give to kinds of place, if they say anything.
+    /// The weights that habits and related classes give to kinds of place, if they say anything.
     pub(crate) weights: Option<Weights>,
     /// How likely a place of each kind is by that.
     pub(crate) likely: Option<Likely>,

@@ -42,7 +42,7 @@ impl Weights {
             let suiting = |(i, row): (usize, &Row)| kind.suits(graph, row).then_some(i);
             self.suits.push(self.rows.iter().enumerate().filter_map(suiting).collect());
             let home = self.rows.iter().any(|row| kind.is_room(graph, row));
-            self.stray.push(stray(graph, kinds.kin(), id, kind, home));
+            self.stray.push(stray(graph, kinds.related(), id, kind, home));
             self.found.push(0);
         }
     }

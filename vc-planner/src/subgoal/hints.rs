@@ -1,4 +1,4 @@
-//! In which order to go about what is wanted, and what is nearest.
+//! The order in which subgoals are gone about, and the nearest of their options.
 
 use vc_graph::goal::{Goal, Literal, Predicate, Situation, Term};
 use vc_graph::{Action, Condition, NodeId, Relation, State, Verb};
@@ -6,7 +6,7 @@ use vc_graph::{Action, Condition, NodeId, Relation, State, Verb};
 use crate::open_condition::OpenCondition;
 use crate::subgoal::View;
 
-/// What the whole goal says about how to go about its parts.
+/// Facts about the whole goal that matter for the order in which its parts are gone about.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Hints {
     /// The things it names.
@@ -68,7 +68,7 @@ impl Hints {
     }
 }
 
-/// What it costs to do something to a thing the goal does not name.
+/// The cost of doing something to a thing that the goal does not name.
 const UNNAMED: u32 = 20;
 
 impl View<'_> {

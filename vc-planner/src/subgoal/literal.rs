@@ -116,7 +116,7 @@ impl View<'_> {
                 bound.iter().rev().find(|(n, _)| n == name).map(|&(_, id)| id).into_iter().collect()
             }
             (Term::Anything, Predicate::Did(verb)) => self.fit_for(verb, position),
-            // An agent that has not been told what exists knows no thing by its number before seeing it.
+            // An agent in an unknown home knows no thing by its number before seeing it.
             (Term::Node(_, id), _) => self.graph().node(*id).map(Node::id).into_iter().collect(),
             _ => self.now.candidates(term),
         }

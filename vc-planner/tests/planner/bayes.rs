@@ -277,7 +277,7 @@ fn mean_steps(layout: &Layout) -> f64 {
 fn hardly_more_steps_than_the_best_policy() {
     for layout in &LAYOUTS {
         let first = home(layout, [0, 0]);
-        let belief = Belief::of_known_home(&first.scene, first.scene.agents()[0], 0);
+        let belief = Belief::in_known_home(&first.scene, first.scene.agents()[0], 0);
         let mut believed: Vec<Place> = belief.possible_places().collect();
         believed.sort_unstable();
         let mut real = first.places.clone();

@@ -45,7 +45,7 @@ fn places(flat: &Flat) -> Vec<Place> {
 #[test]
 fn chances_sum_to_one_and_are_equal() {
     let flat = flat(0);
-    let belief = Belief::of_known_home(&flat.scene, flat.me, 1);
+    let belief = Belief::in_known_home(&flat.scene, flat.me, 1);
     let chances: Vec<f64> = places(&flat).iter().map(|&p| belief.probability(flat.apple, p)).collect();
     assert!((chances.iter().sum::<f64>() - 1.0).abs() < 1e-9, "{chances:?}");
     assert!(chances.iter().all(|&c| c == 0.0 || (c - chances[0].max(chances[1])).abs() < 1e-9), "{chances:?}");
@@ -56,7 +56,7 @@ fn what_is_seen_empty_is_excluded_and_only_what_is_disproved_is_guessed_anew() {
     for seed in 0..20 {
         let flat = flat(0);
         let mut world = Simulator::new(flat.scene.clone());
-        let mut belief = Belief::of_known_home(&flat.scene, flat.me, seed);
+        let mut belief = Belief::in_known_home(&flat.scene, flat.me, seed);
         belief.observe(&world.graph().observe(flat.me, Scope::Room));
         for cupboard in [flat.cupboards[2], flat.cupboards[3]] {
             let before = belief.graph().place(flat.apple);
@@ -76,7 +76,7 @@ fn what_is_seen_empty_is_excluded_and_only_what_is_disproved_is_guessed_anew() {
 #[test]
 fn a_picture_shows_where_a_thing_can_be() {
     let flat = flat(2);
-    let mut belief = Belief::of_known_home(&flat.scene, flat.me, 4);
+    let mut belief = Belief::in_known_home(&flat.scene, flat.me, 4);
     let places = belief.distribution(flat.apple).len();
     let fields = |svg: &str, colour: &str| svg.matches(&format!("fill='{colour}' fill-opacity")).count();
     let before = belief.to_svg(&[flat.apple, NodeId(u32::MAX)]);
@@ -98,7 +98,7 @@ fn a_picture_shows_where_a_thing_can_be() {
 fn what_is_seen_is_certain() {
     let flat = flat(2);
     let mut world = Simulator::new(flat.scene.clone());
-    let mut belief = Belief::of_known_home(&flat.scene, flat.me, 4);
+    let mut belief = Belief::in_known_home(&flat.scene, flat.me, 4);
     for verb in ["walk", "open"] {
         world.step(flat.me, &format!("{verb} {}", world.graph().label(flat.cupboards[2])).parse().unwrap()).unwrap();
     }
@@ -113,7 +113,7 @@ fn what_is_seen_is_certain() {
 fn when_everything_is_disproved_the_belief_widens() {
     let flat = flat(0);
     let mut world = Simulator::new(flat.scene.clone());
-    let mut belief = Belief::of_known_home(&flat.scene, flat.me, 9);
+    let mut belief = Belief::in_known_home(&flat.scene, flat.me, 9);
     // All cupboards are opened while somebody carries the apple in front of the agent.
     for (index, &cupboard) in flat.cupboards.iter().enumerate().rev() {
         if index == 0 {

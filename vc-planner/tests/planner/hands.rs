@@ -85,7 +85,7 @@ fn what_is_useful_is_put_down_and_taken_up_again() {
     }
 }
 
-/// What is of no use and in the way is put on the table at hand; nothing else is touched.
+/// A held thing that is of no use and in the way is put on the table at hand; nothing else is touched.
 #[test]
 fn a_full_hand_is_emptied_on_the_table_at_hand() {
     let mut scene = SceneBuilder::new("flat");

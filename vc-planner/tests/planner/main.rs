@@ -26,5 +26,5 @@ mod policies;
 mod reasons;
 mod records;
 mod refused;
-mod stranger;
 mod team;
+mod unknown_home;

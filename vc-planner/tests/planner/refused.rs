@@ -206,7 +206,7 @@ fn what_was_refused_is_not_tried_again_while_nothing_changes() {
                     let episode = EpisodeOptions::seeded(seed).episode(policy.as_mut(), &task, &mut world, &mut |_| {});
                     let told = format!("{} {seed} {goal} {percent}%: {episode:?}", policy.name());
                     assert!(episode.outcome != Outcome::TimedOut, "{told}");
-                    // A stranger takes unknown things as absent.
+                    // An agent in an unknown home takes unknown things as absent.
                     let told_why = episode.reason.is_some() || policy.name() == "stranger";
                     assert!(episode.outcome == Outcome::Won || told_why, "{told}");
                     all += 1;

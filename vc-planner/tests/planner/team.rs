@@ -76,7 +76,7 @@ fn together(known: bool, seed: u64, goal: &str) -> (SceneGraph, Vec<Event>) {
     (scene, events)
 }
 
-/// What the first is to hold, eat and sit on is its own affair.
+/// Only the first agent holds, eats and sits on the things that the goal says so of.
 #[test]
 fn nobody_does_what_is_asked_of_another() {
     let goals = [
@@ -179,9 +179,9 @@ fn a_helper_saves_steps() {
     assert!(helped * 100 <= alone * 76, "{helped} of {alone}");
 }
 
-/// Who sees only the room it is in goes after the other to see what it does, and helps less.
+/// A helper that sees only the room it is in goes after the other to see its actions, and helps less.
 #[test]
-fn a_helper_that_has_just_moved_in_saves_steps_too() {
+fn a_helper_that_sees_one_room_saves_steps_too() {
     let (alone, helped, right) = helped_by(Helper::in_known_home);
     assert!(right >= 18, "{right}");
     assert!(helped * 100 <= alone * 92, "{helped} of {alone}");
@@ -194,11 +194,11 @@ fn a_goal_that_calls_a_thing_what_it_is_not_is_lost_and_names_both() {
     let task = Task::new("misnamed", format!("Inside(plate.{apple}, fridge)").parse().unwrap());
     let told = format!("`plate.{apple}` names a thing that is apple.{apple}");
     let mut team = Team::in_known_home(&scene, &ids, &task.goal, 3);
-    let mut newcomer = PlannerPolicy::best();
+    let mut planner = PlannerPolicy::best();
     let mut world = Simulator::new(scene.clone());
     for episode in [
         team.run(&task, &mut world),
-        run_together(&mut [(ids[0], &mut newcomer as &mut dyn Policy)], &task, &mut world, Seed(3)),
+        run_together(&mut [(ids[0], &mut planner as &mut dyn Policy)], &task, &mut world, Seed(3)),
     ] {
         assert_eq!((episode.outcome, episode.rounds), (Outcome::Lost, 0));
         let summary = vc_planner::Summary::from(&episode);

@@ -85,7 +85,7 @@ fn put(home: &mut SceneBuilder, class: &str, place: Place) {
 /// The initial place of a thing: never its target.
 fn place(scene: &SceneGraph, rule: Rule, target: NodeId, stream: &mut Stream) -> Place {
     let all = match rule {
-        Rule::Anywhere => Belief::of_known_home(scene, scene.agents()[0], 0).possible_places().collect(),
+        Rule::Anywhere => Belief::in_known_home(scene, scene.agents()[0], 0).possible_places().collect(),
         Rule::In(class) => of_class(scene, Relation::Inside, class),
         Rule::Foreign => {
             let kinds = FURNITURE.iter().map(|(relation, class)| of_class(scene, *relation, class));

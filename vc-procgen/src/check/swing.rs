@@ -8,7 +8,7 @@ use super::overlap::{Cuboid, related, share_space};
 use crate::item::{Item, Support};
 
 /// The shares of a part's motion at which it is checked; it has to open as far as the last one.
-const LOOKS: [f32; 2] = [0.25, 0.5];
+const SHARES: [f32; 2] = [0.25, 0.5];
 
 /// Items that cannot open, each with the first object that a part of it hits before it is half open: the
 /// building, or furniture that cannot be pushed aside.
@@ -50,7 +50,7 @@ fn moves(item: &Item) -> bool {
 fn opened(item: &Item) -> Vec<Cuboid> {
     let moving = item.object.asset.parts.iter().filter_map(|part| Some((part, part.joint?)));
     let at = |joint: &Joint, share: f32| item.pose * joint.motion(widest(joint) * share);
-    moving.flat_map(|(part, joint)| LOOKS.map(|share| Cuboid::around(part, &at(&joint, share)))).collect()
+    moving.flat_map(|(part, joint)| SHARES.map(|share| Cuboid::around(part, &at(&joint, share)))).collect()
 }
 
 /// The joint limit farther from the closed position.

@@ -121,7 +121,8 @@ fn side_by_side(
                 units.push(moved(made.asset, Vector3::new(0.0, middle, 0.0)));
             }
         }
-        if high - low > LEAST {
+        // Appliances may stand above each other, or reach beyond the row.
+        if high - low > LEAST && high.min(end) > low.max(from) {
             units.push(bridge(size, (low.max(from), high.min(end)), style));
         }
         from = from.max(high);

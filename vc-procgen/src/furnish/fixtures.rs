@@ -4,7 +4,8 @@
 use super::Setter;
 use super::other::hang_somewhere;
 use super::space::{Side, Solid};
-use crate::area::Facing;
+use crate::area::{Area, Facing};
+use crate::draft::Draft;
 use crate::item::Support;
 use crate::plan::{FloorPlan, OpeningKind, RoomKind, metres};
 
@@ -48,18 +49,14 @@ fn ceiling_lamp(s: &mut Setter<'_>, plan: &FloorPlan) {
     let flat = if class == "pendant_lamp" { s.make("ceiling_lamp", [0.36, 0.36, 0.12]) } else { None };
     let ceiling = plan.ceiling;
     for rect in plan.rooms[s.room].rects.clone() {
-        let area = crate::area::Area::from_rect(&rect);
+        let area = Area::from_rect(&rect);
         let small = area.square_metres() < 3.0 && s.items.iter().any(|i| i.support == Support::Ceiling);
         let centre = area.centre();
         // A low lamp would collide with the doors of a wardrobe.
-        let low = s.space.zones.iter().any(|z| z.overlaps(&crate::area::Area::around(centre.0, centre.1, 0.25, 0.25)));
+        let low = s.space.zones.iter().any(|z| z.overlaps(&Area::around(centre.0, centre.1, 0.25, 0.25)));
         let lamp = flat.as_ref().filter(|_| low).unwrap_or(&lamp);
         let (height, half) = (lamp.size().z, lamp.size().x.max(lamp.size().y) / 2.0);
-        let solid = Solid {
-            area: crate::area::Area::around(centre.0, centre.1, half, half),
-            low: ceiling - height,
-            high: ceiling,
-        };
+        let solid = Solid { area: Area::around(centre.0, centre.1, half, half), low: ceiling - height, high: ceiling };
         if !small && s.space.is_floor(&solid.area) && s.space.is_empty(&solid) {
             s.add(lamp, centre, ceiling - height - 0.001, Facing(0), Support::Ceiling);
         }
@@ -137,7 +134,7 @@ fn dress_window(s: &mut Setter<'_>, side: usize, window: (f32, f32), heights: (f
 }
 
 /// Hangs an object on a wall where it may cover a window.
-fn hang_over(s: &mut Setter<'_>, object: &crate::draft::Draft, side: usize, along: f32, z: f32) -> Option<usize> {
+fn hang_over(s: &mut Setter<'_>, object: &Draft, side: usize, along: f32, z: f32) -> Option<usize> {
     let wall: &Side = &s.space.sides[side];
     let size = object.size();
     // Farther off the wall than the sill board's joint and the skirting.

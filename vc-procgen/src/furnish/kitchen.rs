@@ -3,6 +3,7 @@
 use super::Setter;
 use super::place::{Need, Spot};
 use super::space::OFF_WALL;
+use crate::area::{Area, Facing};
 use crate::draft::Draft;
 use crate::error::SpecificationError;
 use crate::plan::RoomKind;
@@ -201,7 +202,7 @@ fn upper(s: &mut Setter<'_>, run: &[usize]) {
 }
 
 /// The wall that an area stands against.
-pub(super) fn side_behind(s: &Setter<'_>, area: &crate::area::Area, facing: super::Facing) -> Option<usize> {
+pub(super) fn side_behind(s: &Setter<'_>, area: &Area, facing: Facing) -> Option<usize> {
     let (cx, cy) = area.centre();
     let along = if facing.is_along_x() { cy } else { cx };
     let back = facing.turned(2).before(area, 0.0).centre();

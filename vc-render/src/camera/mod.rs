@@ -73,7 +73,8 @@ impl Camera {
         Self { pose: on * optical_axes(), ..self }
     }
 
-    /// The pose of the body on which the camera is [mounted](Self::mounted): X is the optical axis, Y the camera's left.
+    /// The pose of the body on which the camera is [mounted](Self::mounted): X is the optical axis, Y the camera's
+    /// left.
     ///
     /// ```
     /// use vc_graph::Pose;

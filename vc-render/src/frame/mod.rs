@@ -68,7 +68,8 @@ pub struct Frame {
     pub instance: Vec<NodeId>,
     /// Position of the part in the node's asset; [`NO_LABEL`](crate::NO_LABEL) where nothing is visible.
     pub part: Vec<u16>,
-    /// Class number, see [`Snapshot::class`](crate::Snapshot::class); [`NO_LABEL`](crate::NO_LABEL) where nothing is visible.
+    /// Class number, see [`Snapshot::class`](crate::Snapshot::class); [`NO_LABEL`](crate::NO_LABEL) where nothing is
+    /// visible.
     pub class: Vec<u16>,
     /// Normal of the surface in the world, unit length; zero where nothing is visible.
     pub normal: Vec<[f32; 3]>,

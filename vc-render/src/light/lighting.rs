@@ -17,8 +17,9 @@ use crate::scene::{Snapshot, Store};
 use crate::surface::{Role, Surface};
 
 /// The light in a scene at one moment: shadow maps of the sun and of the lamps that are on, and the indirect
-/// light in rooms. [`Renderer::light`](crate::Renderer::light) makes it; it serves any number of cameras and is cheap to clone. When
-/// lamps are switched, or doors, blinds and large things move, [`Renderer::relight`](crate::Renderer::relight) brings it up to date.
+/// light in rooms. [`Renderer::light`](crate::Renderer::light) makes it; it serves any number of cameras and is cheap
+/// to clone. When lamps are switched, or doors, blinds and large things move,
+/// [`Renderer::relight`](crate::Renderer::relight) brings it up to date.
 ///
 /// ```
 /// # use nalgebra::{Point3, Vector3};

@@ -3,9 +3,9 @@
 //! At every hit, light from the sun, from lamps and through panes is sampled directly ([`direct`]) and combined
 //! with chance hits by the balance heuristic (multiple importance sampling, Veach 1997); some paths are sent to
 //! drawn blinds and curtains ([`cover`]). Surfaces are Lambertian under microfacets
-//! ([`Scatter`](crate::surface::Scatter)). View rays through glass are refracted, and reflections of panes are separate paths ([`glass`]). Remaining noise is
-//! smoothed along surfaces ([`denoise`]), separately for the surfaces of a pixel ([`film`]); isolated pixels
-//! take light from around them ([`alone`]).
+//! ([`Scatter`](crate::surface::Scatter)). View rays through glass are refracted, and reflections of panes are separate
+//! paths ([`glass`]). Remaining noise is smoothed along surfaces ([`denoise`]), separately for the surfaces of a pixel
+//! ([`film`]); isolated pixels take light from around them ([`alone`]).
 
 mod alone;
 mod cover;
@@ -117,7 +117,8 @@ pub struct ReferencePicture {
     exposure: [f32; 3],
 }
 
-/// A reference picture in the making, which [`Renderer::reference_picture`](crate::Renderer::reference_picture) passes on after each round.
+/// A reference picture in the making, which [`Renderer::reference_picture`](crate::Renderer::reference_picture) passes
+/// on after each round.
 ///
 /// ```
 /// # use nalgebra::{Point3, Vector3};

@@ -145,8 +145,8 @@ impl Renderer {
 
     /// Renders a shot into a frame. Modalities that are not requested cost nothing, and a frame that is reused
     /// for pictures of the same size allocates nothing. The renderer keeps its working memory for the next picture:
-    /// 8 bytes for each pixel and more for colours, and with [`Shot::supersampled`] a larger frame of colours, for as many
-    /// pictures as were ever rendered at once.
+    /// 8 bytes for each pixel and more for colours, and with [`Shot::supersampled`] a larger frame of colours, for as
+    /// many pictures as were ever rendered at once.
     ///
     /// For 130,000 triangles at 640 by 480 pixels, labels, depth and flow took 3.2 to 4.7 ms on one core and
     /// all six modalities 15.8 to 23 ms, on two shared machines; both times grow about linearly with the number

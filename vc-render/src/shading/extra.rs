@@ -131,13 +131,13 @@ impl Lighting {
         let surface = &store.surfaces[usize::from(hit.face.surface)];
         let room =
             self.room_of(&self.tracer.snapshot.bodies[hit.instance.body as usize], hit.instance, hit.at, hit.flat);
-        let group = hit.appearance(surface, footprint);
-        let falling = self.around(hit.at, group.normal, room);
-        let direct = self.direct(hit.at, group.normal, room, self.sunlight(room));
+        let point = hit.appearance(surface, footprint);
+        let falling = self.around(hit.at, point.normal, room);
+        let direct = self.direct(hit.at, point.normal, room, self.sunlight(room));
         let shine = hit.shine(surface, footprint);
         let glow = self.glow(surface, hit.instance.body);
         let behind = self.through(surface, hit.instance).unwrap_or_default();
         let over = 1.0 / std::f32::consts::PI;
-        three(|i| glow[i] * shine[i] + group.colour[i] * over * (falling[i] + direct[i] + behind[i]))
+        three(|i| glow[i] * shine[i] + point.colour[i] * over * (falling[i] + direct[i] + behind[i]))
     }
 }

@@ -23,7 +23,7 @@ pub(super) use self::between::PART;
 pub(super) const LIGHT: usize = 6;
 /// Number of combs of a row, and the step between rows in which light is computed first.
 pub(super) const STEP: usize = 4;
-/// SurfaceGroup of pixels past a row's end.
+/// Group of pixels past a row's end.
 pub(super) const BEYOND: u32 = u32::MAX;
 
 /// Pixels of a strip: row and column, sixteen bits each.

@@ -19,6 +19,8 @@ mod texture;
 pub(crate) use occlusion::Openness;
 pub(crate) use smooth::Smoother;
 
+use std::ops::Range;
+
 use self::edge::Find;
 use self::extra::Extra;
 use self::interpolate::{Between, STEP, SampleGrid, Spots};
@@ -26,8 +28,6 @@ use self::light::{Batch, DRIFT, Lamps};
 use self::planes::{Planes, Row, gloss, unpacked};
 use self::smooth::Edge;
 use self::surfel::{Known, Writer};
-use std::ops::Range;
-
 use crate::camera::Camera;
 use crate::colour;
 use crate::frame::Strip;

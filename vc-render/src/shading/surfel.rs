@@ -38,7 +38,7 @@ pub(crate) struct SurfaceGroup {
 /// Flag in the group numbers of curved surfaces.
 pub(super) const BENT: u32 = 1 << 31;
 
-/// SurfaceGroup and paint of pixels where nothing is visible.
+/// Group and paint of pixels where nothing is visible.
 pub(super) const NOTHING: u32 = 0;
 
 /// Colours and texture of pixels.

@@ -15,7 +15,7 @@ fn even() -> Daylight {
     Daylight { sun: Vector3::zeros(), zenith: one, horizon: one, ground: one, ..Daylight::noon() }
 }
 
-/// A photograph of a plain scene, for its exposure.
+/// A reference picture of a plain scene, for its exposure.
 fn reference_picture() -> ReferencePicture {
     let mut stage = Stage::new();
     stage.one("box", block([0.5; 3]), Pose::translation(2.0, 0.0, 0.0), 1);
