@@ -45,8 +45,8 @@ fn to_see(world: &dyn World, me: NodeId, task: &Task) -> (usize, Reverse<usize>)
     let plan = Planner::default().plan(&mut world.graph().clone(), me, &task.goal, &[]);
     let actions = plan.map(|plan| plan.actions).unwrap_or_default();
     let does = |verbs: &&[Verb]| actions.iter().any(|action: &Action| verbs.contains(&action.verb));
-    let deeds: [&[Verb]; 4] = [&[Verb::Walk], &[Verb::Open], &[Verb::Grab], &[Verb::Place, Verb::PutIn]];
+    let of_interest: [&[Verb]; 4] = [&[Verb::Walk], &[Verb::Open], &[Verb::Grab], &[Verb::Place, Verb::PutIn]];
     let taken = actions.iter().skip_while(|action| action.verb != Verb::Grab);
     let carries = taken.skip(1).any(|action| action.verb == Verb::Walk);
-    (deeds.into_iter().filter(does).count() + usize::from(carries), Reverse(actions.len()))
+    (of_interest.into_iter().filter(does).count() + usize::from(carries), Reverse(actions.len()))
 }

@@ -12,7 +12,6 @@ mod bodies;
 mod boxes;
 mod clock;
 mod curtains;
-mod deeds;
 mod fitting;
 mod golden;
 mod hostile;
@@ -20,13 +19,14 @@ mod initial;
 mod made;
 mod pictures;
 mod record;
+mod single_actions;
 mod stays;
 mod windows;
 mod wishes;
 
 use std::sync::OnceLock;
 
-use deeds::kept_thing;
+use single_actions::kept_thing;
 use vc_testkit::amount;
 use virtualcity::graph::{Action, NodeId, SceneGraph, Seed, Verb};
 use virtualcity::{Batch, Environment, MakeError, check_environment, run};

@@ -137,9 +137,9 @@ fn what_is_refused_cannot_be_had_by_a_few_actions() {
         let me = scene.agents()[0];
         let Err(why) = plan(&mut scene.clone(), me, &goal, &History::default()) else { continue };
         let asked = |a: &Action| text.contains(&format!("{:?}(", a.verb));
-        let deeds = |events: &[Event]| events.iter().map(|e| e.action).filter(asked).collect();
+        let did = |events: &[Event]| events.iter().map(|e| e.action).filter(asked).collect();
         let actions = actions_about(&scene, &text);
-        let world = brute::World { scene: &scene, me, actions: &actions, remembered: &deeds };
+        let world = brute::World { scene: &scene, me, actions: &actions, remembered: &did };
         match brute::shortest(&world, &goal, DEPTH + 1, 3_000) {
             Ok(found) => assert_eq!((found, whole += 1).0, None, "{seed} {text}: {why}"),
             Err(()) => cut += 1,

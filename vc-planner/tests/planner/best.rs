@@ -91,11 +91,11 @@ fn actions(world: &World) -> Vec<Action> {
 
 /// The length of the shortest plan; see [`brute::shortest`].
 fn shortest(world: &World, goal: &Goal, below: usize, most: usize) -> Result<Option<usize>, ()> {
-    let deeds = |events: &[Event]| -> Vec<Action> {
+    let did = |events: &[Event]| -> Vec<Action> {
         let done = |verb| events.iter().find(|e| e.action.verb == verb).map(|_| Action::zero(verb));
         [Verb::Eat, Verb::Read].into_iter().filter_map(done).collect()
     };
-    let within = brute::World { scene: &world.scene, me: world.me, actions: &actions(world), remembered: &deeds };
+    let within = brute::World { scene: &world.scene, me: world.me, actions: &actions(world), remembered: &did };
     brute::shortest(&within, goal, below, most)
 }
 

@@ -29,7 +29,7 @@ fn home(seed: u64, on_table: usize) -> SceneGraph {
 }
 
 /// The actions of each of two newcomers for a goal.
-fn deeds(scene: &SceneGraph, goal: &str, seed: u64) -> [Vec<Action>; 2] {
+fn actions_for(scene: &SceneGraph, goal: &str, seed: u64) -> [Vec<Action>; 2] {
     let task = Task::new("not there", goal.parse().unwrap());
     [PlannerPolicy::best(), PlannerPolicy::faithful()].map(|mut policy| {
         let mut world = Simulator::new(scene.clone());
@@ -55,7 +55,7 @@ fn what_is_not_to_be_on_a_table_is_looked_for_there() {
     ];
     for (seed, goal) in (0..10).flat_map(|seed| goals.map(|goal| (seed, goal))) {
         for on_table in 0..3 {
-            for actions in deeds(&home(seed, on_table), goal, seed) {
+            for actions in actions_for(&home(seed, on_table), goal, seed) {
                 // One walk to the table, and for each mug one walk to it and a grab.
                 assert!(actions.len() <= 1 + 2 * on_table, "{seed} {goal}: {actions:?}");
                 assert_eq!(opened(&actions).count(), 0, "{seed} {goal}");
@@ -69,11 +69,11 @@ fn only_what_may_hold_it_is_opened() {
     for seed in 0..10 {
         let scene = home(seed, 0);
         let living = scene.of_class("living_room")[0];
-        for actions in deeds(&scene, "!Inside(mug, fridge)", seed) {
+        for actions in actions_for(&scene, "!Inside(mug, fridge)", seed) {
             assert_eq!(opened(&actions).count(), 2, "{seed}: {actions:?}");
             assert!(opened(&actions).all(|id| scene.of_class("fridge").contains(&id)), "{seed}: {actions:?}");
         }
-        for actions in deeds(&scene, "!InRoom(mug, living_room)", seed) {
+        for actions in actions_for(&scene, "!InRoom(mug, living_room)", seed) {
             assert!(opened(&actions).all(|id| scene.room_of(id) == Some(living)), "{seed}: {actions:?}");
         }
     }
@@ -88,7 +88,7 @@ fn what_is_known_to_be_elsewhere_is_not_looked_for() {
     scene.add_in(bedroom, Draft::new("desk")).unwrap();
     scene.add_on(table, Draft::new("mug")).unwrap();
     scene.add_in(kitchen, Draft::new("character")).unwrap();
-    for actions in deeds(&scene.build(), "!On(mug, desk)", 0) {
+    for actions in actions_for(&scene.build(), "!On(mug, desk)", 0) {
         assert_eq!(actions, []);
     }
 }

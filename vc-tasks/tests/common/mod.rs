@@ -58,7 +58,7 @@ impl Room {
 }
 
 /// The actions of the temporal tests, with one and with two objects.
-const DEEDS: [Verb; 3] = [Verb::Grab, Verb::Eat, Verb::Place];
+const VERBS: [Verb; 3] = [Verb::Grab, Verb::Eat, Verb::Place];
 
 /// The kind of the flip, and the objects concerned.
 pub(crate) type Flip = (u8, u32, u32);
@@ -90,8 +90,8 @@ fn in_time(goal: &Goal) -> Goal {
     match goal {
         Goal::Literal(Literal { predicate: Predicate::Did(verb), terms }) => {
             let verb = match verb.arity() {
-                1 => DEEDS[verb.index() % 2],
-                2 => DEEDS[2],
+                1 => VERBS[verb.index() % 2],
+                2 => VERBS[2],
                 _ => *verb,
             };
             Goal::Literal(Literal { predicate: Predicate::Did(verb), terms: terms.iter().map(term).collect() })
