@@ -51,11 +51,8 @@ impl Block {
 
     /// An upright box of the world in this frame.
     pub(crate) fn local(&self, aabb: &Aabb) -> (Vector3<f32>, Vector3<f32>) {
-        let corner = |i: u32| {
-            let pick = |bit: u32, axis: usize| if i >> bit & 1 == 0 { aabb.min[axis] } else { aabb.max[axis] };
-            self.pose.inverse_transform_point(&Point3::new(pick(0, 0), pick(1, 1), pick(2, 2))).coords
-        };
-        (1..8).map(corner).fold((corner(0), corner(0)), |(low, high), c| (low.inf(&c), high.sup(&c)))
+        let corners = aabb.corners().map(|corner| self.pose.inverse_transform_point(&corner).coords);
+        corners[1..].iter().fold((corners[0], corners[0]), |(low, high), c| (low.inf(c), high.sup(c)))
     }
 
     /// Whether its sides are along the world's axes.

@@ -102,6 +102,20 @@ impl Aabb {
         nalgebra::center(&self.min, &self.max)
     }
 
+    /// The eight corners: corner `i` is at the box's largest X, Y and Z where bit 0, 1 and 2 of `i` is set, and at the
+    /// smallest where it is not.
+    ///
+    /// ```
+    /// use nalgebra::Point3;
+    /// use vc_graph::Aabb;
+    /// let unit = Aabb::around(&Point3::origin(), &Point3::new(1.0, 1.0, 1.0));
+    /// assert_eq!(unit.corners()[0b101], Point3::new(1.0, 0.0, 1.0));
+    /// ```
+    pub fn corners(&self) -> [Point3<f32>; 8] {
+        let at = |corner: usize, axis: usize| if corner >> axis & 1 == 0 { self.min[axis] } else { self.max[axis] };
+        std::array::from_fn(|i| Point3::new(at(i, 0), at(i, 1), at(i, 2)))
+    }
+
     /// The point of the box nearest to `point`, which is `point` itself if it is inside.
     ///
     /// ```

@@ -63,7 +63,7 @@ pub use role::ObjectRole;
 pub use rule::{ActionRule, AimForm, AimRule, Condition, Effect, Refusal, Semantics};
 pub use seed::{Seed, Stream};
 pub use simulator::{Event, History, Simulator};
-pub use spelling::{did_you_mean, nearest};
+pub use spelling::{clip, did_you_mean, nearest};
 pub use state::{State, StateSet};
 pub use validate::Violation;
 pub use vocabulary::{Set, UnknownWord, Word};

@@ -19,8 +19,13 @@ pub fn unmarked(text: &str) -> &str {
     text.trim_start_matches('\u{feff}')
 }
 
-/// Shortens a text, which may be hostile or huge, for a message.
-pub(crate) fn clip(text: &str) -> String {
+/// Shortens a text, which may be hostile or huge, for a message: to sixty characters.
+///
+/// ```
+/// assert_eq!(vc_graph::clip(&"ha".repeat(1000)).len(), 63);
+/// assert_eq!(vc_graph::clip("short"), "short");
+/// ```
+pub fn clip(text: &str) -> String {
     const LIMIT: usize = 60;
     match text.char_indices().nth(LIMIT) {
         Some((end, _)) => format!("{}...", &text[..end]),

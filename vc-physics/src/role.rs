@@ -2,15 +2,12 @@
 
 use nalgebra::Point3;
 use serde::{Deserialize, Serialize};
-use vc_graph::asset::Hold;
+use vc_graph::asset::{HOOK_REACH, Hold};
 use vc_graph::class::Class;
 use vc_graph::{Node, NodeKind, Property, Relation, SceneGraph};
 
 use crate::settings::{FixedThings, Settings, UnsupportedThings};
 use crate::shapes::Form;
-
-/// The largest distance of a hook from the bounding box of the thing that hangs on it, metres.
-const HOOK: f32 = 0.05;
 
 /// The role of a body in the simulation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -65,7 +62,7 @@ impl<'a> Roles<'a> {
         let (low, high) = form.extent;
         let hooks = asset.surfaces.iter().filter(|s| s.hold == Hold::Hook);
         let mut spots = hooks.map(|s| to.inv_mul(from) * Point3::from(s.centre.coords.component_mul(&at.spec().scale)));
-        spots.any(|p| (0..3).all(|i| low[i] - HOOK <= p[i] && p[i] <= high[i] + HOOK))
+        spots.any(|p| (0..3).all(|i| low[i] - HOOK_REACH <= p[i] && p[i] <= high[i] + HOOK_REACH))
     }
 
     fn stays(&self, node: &Node, known: bool, mass: f32) -> bool {

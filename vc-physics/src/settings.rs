@@ -1,6 +1,7 @@
 //! The settings of a world.
 
 use serde::{Deserialize, Serialize};
+use vc_graph::clock::TICKS_PER_SECOND;
 
 /// Which objects are fixed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
@@ -65,7 +66,7 @@ pub struct Settings {
 impl Default for Settings {
     fn default() -> Self {
         Self {
-            dt: 1.0 / 60.0,
+            dt: 1.0 / TICKS_PER_SECOND as f32,
             substeps: 1,
             gravity: 9.81,
             fixing: FixedThings::Heavy,

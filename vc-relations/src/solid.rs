@@ -129,10 +129,8 @@ impl Solid {
     /// The eight corners of the box, scaled to a share of the half size.
     pub(crate) fn corners(&self, share: f32) -> [Vector3<f32>; 8] {
         let half = self.half * share;
-        std::array::from_fn(|i| {
-            let sign = |bit: usize| if i >> bit & 1 == 0 { -1.0 } else { 1.0 };
-            self.centre + self.axes * Vector3::new(sign(0), sign(1), sign(2)).component_mul(&half)
-        })
+        let own = Aabb { min: (-half).into(), max: half.into() };
+        own.corners().map(|corner| self.centre + self.axes * corner.coords)
     }
 
     /// The shape swept by a vertical trace: the middle plane if the solid is nearly upright, otherwise the

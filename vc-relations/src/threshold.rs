@@ -48,8 +48,7 @@ pub const TOUCH_GAP: f32 = 0.005;
 /// not modelled, keep pictures this far off the wall.
 pub const HANG_GAP: f32 = 0.02;
 
-/// Greatest distance between a hook and the box of a thing that hangs on it, metres.
-pub const HOOK_REACH: f32 = 0.05;
+pub use vc_graph::asset::HOOK_REACH;
 
 /// Greatest height of a thing above another that is under it, metres: a storey; also the length of the thesis's
 /// vertical traces here.

@@ -1,6 +1,6 @@
 //! VirtualHome's scenes with the shapes of their classes.
 
-use nalgebra::{Point2, Vector2, Vector3};
+use nalgebra::{Point2, Point3, Vector2, Vector3};
 use vc_graph::asset::{Hold, JointKind};
 use vc_graph::format::thesis;
 use vc_graph::{Aabb, Asset, ClassTable, Node, NodeKind, Property, SceneGraph};
@@ -77,18 +77,11 @@ fn the_scene_stays_and_shapes_fill_its_boxes() {
 
 /// The bounding box of a node as it is drawn.
 fn drawn(graph: &SceneGraph, node: &Node) -> Aabb {
-    let (low, high) = asset(graph, node).extent().unwrap();
+    let (min, max) = asset(graph, node).extent().unwrap();
     let scale = node.spec().scale;
-    let corner = |i: u32| {
-        let pick = |bit: u32, a: f32, b: f32| if i >> bit & 1 == 0 { a } else { b };
-        let own = Vector3::new(pick(0, low.x, high.x), pick(1, low.y, high.y), pick(2, low.z, high.z));
-        node.pose().unwrap() * nalgebra::Point3::from(own.component_mul(&scale))
-    };
-    (0..8)
-        .map(corner)
-        .map(|p| Aabb { min: p, max: p })
-        .reduce(|a, b| Aabb { min: a.min.inf(&b.min), max: a.max.sup(&b.max) })
-        .unwrap()
+    let scaled = |own: Point3<f32>| node.pose().unwrap() * Point3::from(own.coords.component_mul(&scale));
+    let corners = Aabb { min, max }.corners().map(scaled);
+    corners.into_iter().map(|p| Aabb { min: p, max: p }).fold(Aabb::EMPTY, |a, b| a.joined(&b))
 }
 
 /// A shape with a single box as its only part is the fallback for a class without a generator.
@@ -267,7 +260,7 @@ fn a_home_of_the_thesis_format_looks_as_it_did() {
 fn doors_of_furniture_open_into_no_wall() {
     let mut checked = 0;
     for (_, looks) in scenes() {
-        let placed = |node: &Node, (low, high): (nalgebra::Point3<f32>, nalgebra::Point3<f32>)| {
+        let placed = |node: &Node, (low, high): (Point3<f32>, Point3<f32>)| {
             let half = (high - low) / 2.0;
             let offset = nalgebra::center(&low, &high).coords;
             vc_graph::Bounds { offset, half, frame: vc_graph::BoundsFrame::Object }.aabb(node.pose().unwrap())
@@ -287,15 +280,14 @@ fn doors_of_furniture_open_into_no_wall() {
                 if wide.abs() < 0.95 {
                     continue;
                 }
-                let (low, high) = part.extent();
+                let (min, max) = part.extent();
+                let corners = Aabb { min, max }.corners();
                 let corner = |position: f32, i: usize| {
-                    let at = |axis: usize| if i >> axis & 1 == 0 { low[axis] } else { high[axis] };
-                    let moved = joint.motion(position) * nalgebra::Point3::new(at(0), at(1), at(2));
-                    node.pose().unwrap() * nalgebra::Point3::from(moved.coords.component_mul(&node.spec().scale))
+                    let moved = joint.motion(position) * corners[i];
+                    node.pose().unwrap() * Point3::from(moved.coords.component_mul(&node.spec().scale))
                 };
-                let within = |w: &Aabb, p: &nalgebra::Point3<f32>| {
-                    (0..3).all(|i| p[i] > w.min[i] + 0.01 && p[i] < w.max[i] - 0.01)
-                };
+                let within =
+                    |w: &Aabb, p: &Point3<f32>| (0..3).all(|i| p[i] > w.min[i] + 0.01 && p[i] < w.max[i] - 0.01);
                 // Some scenes have furniture in walls.
                 let apart = |w: &&Aabb| !(0..8).any(|i| within(w, &corner(0.0, i)));
                 let walls: Vec<&Aabb> = walls.iter().filter(apart).collect();

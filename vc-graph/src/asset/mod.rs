@@ -194,6 +194,9 @@ pub struct Part {
     pub joint: Option<Joint>,
 }
 
+/// Greatest distance between a hook and the box of a thing that hangs on it, metres.
+pub const HOOK_REACH: f32 = 0.05;
+
 /// How a [`Surface`] supports objects.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]

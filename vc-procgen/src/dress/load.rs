@@ -1,6 +1,6 @@
 //! The objects that rest on another in the scene, and how well the surfaces of its asset support them.
 
-use nalgebra::{Isometry3, Point3, Vector3};
+use nalgebra::{Isometry3, Vector3};
 use vc_graph::asset::{Hold, Surface};
 use vc_graph::{Aabb, Anthropometry, Asset, NodeId, Relation};
 
@@ -27,11 +27,8 @@ pub(super) fn of(house: &House, id: NodeId, middle: &Isometry3<f32>) -> Vec<Load
 
 impl Load {
     fn new(around: &Aabb, middle: &Isometry3<f32>, inside: bool) -> Self {
-        let corner = |i: usize| {
-            let pick = |axis: usize| if i >> axis & 1 == 0 { around.min[axis] } else { around.max[axis] };
-            middle.inverse_transform_point(&Point3::new(pick(0), pick(1), pick(2))).coords
-        };
-        let (low, high) = (1..8).map(corner).fold((corner(0), corner(0)), |(l, h), c| (l.inf(&c), h.sup(&c)));
+        let corners = around.corners().map(|corner| middle.inverse_transform_point(&corner).coords);
+        let (low, high) = corners[1..].iter().fold((corners[0], corners[0]), |(l, h), c| (l.inf(c), h.sup(c)));
         Self { low, high, inside }
     }
 

@@ -3,7 +3,7 @@
 use nalgebra::{Point3, Unit, Vector3};
 use vc_graph::asset::{Joint, Material};
 use vc_graph::portable::Portable;
-use vc_graph::{Asset, AssetLibrary, Pose};
+use vc_graph::{Aabb, Asset, AssetLibrary, Pose};
 
 use super::canvas::encoded;
 use super::image::Image;
@@ -63,8 +63,8 @@ impl SketchView {
             x.max(y) / (tangent * 0.92) - c.dot(&ahead)
         };
         let half = (high - low) / 2.0;
-        let corners = (0..8).map(|i| V::from_fn(|k, _| if i >> k & 1 == 0 { half[k] } else { -half[k] }));
-        let distance = corners.map(fits).fold(0.01, f32::max);
+        let corners = Aabb { min: Point3::from(-half), max: Point3::from(half) }.corners();
+        let distance = corners.map(|corner| fits(corner.coords)).into_iter().fold(0.01, f32::max);
         let eye = target + direction.normalize() * distance;
         Self { eye, target, projection: Projection::Perspective(tangent), open: 0.0 }
     }

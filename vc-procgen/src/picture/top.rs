@@ -3,9 +3,9 @@
 use std::f32::consts::TAU;
 
 use nalgebra::{Point2, Point3, Vector3};
-use vc_graph::Pose;
 use vc_graph::asset::{Part, Shape};
 use vc_graph::portable::Portable;
+use vc_graph::{Aabb, Pose};
 use vc_shapes::material::{self, Family};
 
 use super::canvas::{Canvas, Colour, Ink, Point};
@@ -129,9 +129,8 @@ fn top(part: &Part, pose: &Pose) -> Top {
 
 /// The corners of a shape's bounding box, in its own frame.
 fn corners(shape: &Shape) -> [Point3<f32>; 8] {
-    let (low, high) = shape.extent();
-    let pick = |bit: usize, i: usize| if i >> bit & 1 == 0 { low[bit] } else { high[bit] };
-    std::array::from_fn(|i| Point3::new(pick(0, i), pick(1, i), pick(2, i)))
+    let (min, max) = shape.extent();
+    Aabb { min, max }.corners()
 }
 
 /// A shape's outline seen from above; its convex hull for lying round shapes and for tilted ones.

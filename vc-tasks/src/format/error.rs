@@ -3,6 +3,7 @@
 use std::fmt;
 use std::path::Path;
 
+use vc_graph::clip;
 use vc_graph::format::unmarked;
 
 /// An error in a text: its place, what was expected there and what was found.
@@ -70,15 +71,6 @@ pub(crate) fn line_and_column(text: &str, byte: usize) -> (usize, usize) {
     let line = 1 + before.matches('\n').count();
     let start = before.rfind('\n').map_or(0, |i| i + 1);
     (line, 1 + before[start..].chars().count())
-}
-
-/// Shortens hostile or very long text for a message.
-pub(crate) fn clip(text: &str) -> String {
-    const LIMIT: usize = 60;
-    match text.char_indices().nth(LIMIT) {
-        Some((end, _)) => format!("{}...", &text[..end]),
-        None => text.to_owned(),
-    }
 }
 
 /// An error for a goal that a format cannot express.

@@ -14,10 +14,11 @@
 
 use std::fmt;
 
+use vc_graph::clip;
 use vc_graph::format::{LARGEST, unmarked};
 
 use super::ReadError;
-use super::error::{clip, line_and_column};
+use super::error::line_and_column;
 
 /// The maximal depth of nested brackets.
 pub const DEEPEST: usize = 128;

@@ -22,9 +22,9 @@
 
 use serde_json::Value;
 use vc_graph::goal::{Comparison, Goal, Literal, Predicate, Term};
-use vc_graph::{NodeId, Relation, State};
+use vc_graph::{NodeId, Relation, State, clip};
 
-use super::error::{Entries, clip};
+use super::error::Entries;
 use super::{ReadError, Unwritable};
 
 const FORMAT: &str = "Watch-And-Help goal";

@@ -1,11 +1,10 @@
 //! Plans.
 
 use vc_graph::format::unmarked;
-use vc_graph::{Action, NodeId, Verb, Word};
+use vc_graph::{Action, NodeId, Verb, Word, clip};
 
 use super::FORMAT;
 use crate::format::ReadError;
-use crate::format::error::clip;
 
 /// Reads a plan as Fast Downward, pyperplan and VAL write it, one step a line, `(grab cup_12 ...)`:
 /// the verb, the objects it acts on, and further arguments of the domain. A time `0:` before a step
