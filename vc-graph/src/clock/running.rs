@@ -64,8 +64,11 @@ impl Since {
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Running {
     tick: Tick,
-    since: BTreeMap<(NodeId, Arc<str>), (Tick, Span)>,
+    since: BTreeMap<Key, (Tick, Span)>,
 }
+
+/// A thing, and the name of a process that goes on with it.
+type Key = (NodeId, Arc<str>);
 
 impl Running {
     /// Nothing is known to go on at a tick; [`Running::notice`] finds what does.
@@ -90,12 +93,13 @@ impl Running {
 
     /// The tick at which the next process ends, not before now; `None` if none goes on.
     pub fn next_due(&self) -> Option<Tick> {
-        self.ending().map(|since| since.due().max(self.tick)).min()
+        self.ending().map(|(_, due)| due.max(self.tick)).min()
     }
 
-    /// The processes that end before the last tick that can be counted.
-    fn ending(&self) -> impl Iterator<Item = Since> + '_ {
-        self.processes().filter(|since| since.due() > since.begin)
+    /// The processes that end before the last tick that can be counted, and when.
+    fn ending(&self) -> impl Iterator<Item = (&Key, Tick)> {
+        let ends = self.since.iter().map(|(key, (begin, after))| (key, *begin, *begin + *after));
+        ends.filter(|(_, begin, due)| due > begin).map(|(key, _, due)| (key, due))
     }
 
     /// Takes note of a scene that something else has changed: what can go on begins at this tick, what cannot ends.
@@ -127,7 +131,7 @@ impl Running {
         }
     }
 
-    fn goes_on(&mut self, before: &BTreeMap<(NodeId, Arc<str>), (Tick, Span)>, process: Process) {
+    fn goes_on(&mut self, before: &BTreeMap<Key, (Tick, Span)>, process: Process) {
         let key = (process.node, process.name);
         let same = before.get(&key).filter(|(_, after)| *after == process.after);
         let begin = same.map_or(self.tick, |(begin, _)| *begin);
@@ -138,7 +142,7 @@ impl Running {
     /// a [`Running::notice`] and then as [`pass`](Self::pass).
     ///
     /// # Errors
-    /// [`EditError`] if an edit is refused; then graph and processes are as before the tick at which that happened.
+    /// [`EditError`] if an edit is refused; then the graph is as before and no time has passed.
     pub fn advance(&mut self, table: &ProcessTable, graph: &mut SceneGraph, by: Span) -> Result<ChangeSet, EditError> {
         self.notice(table, graph);
         self.pass(table, graph, by)
@@ -151,8 +155,25 @@ impl Running {
     /// As [`Running::advance`].
     pub fn pass(&mut self, table: &ProcessTable, graph: &mut SceneGraph, by: Span) -> Result<ChangeSet, EditError> {
         let until = self.tick + by;
+        if self.due_by(until).is_none() {
+            self.tick = until;
+            return Ok(ChangeSet::default());
+        }
+        let before = (self.clone(), graph.clone());
+        let changes = self.end_until(until, table, graph);
+        if changes.is_err() {
+            (*self, *graph) = before;
+        }
+        changes
+    }
+
+    fn due_by(&self, until: Tick) -> Option<Tick> {
+        self.next_due().filter(|due| *due <= until)
+    }
+
+    fn end_until(&mut self, until: Tick, table: &ProcessTable, graph: &mut SceneGraph) -> Result<ChangeSet, EditError> {
         let mut changes = ChangeSet::default();
-        while let Some(due) = self.next_due().filter(|due| *due <= until) {
+        while let Some(due) = self.due_by(until) {
             changes = changes.then(self.end_at(due, table, graph)?);
         }
         self.tick = until;
@@ -161,7 +182,7 @@ impl Running {
 
     /// Ends the processes that are due at a tick, and takes note of the scene after them.
     fn end_at(&mut self, due: Tick, table: &ProcessTable, graph: &mut SceneGraph) -> Result<ChangeSet, EditError> {
-        let ended: Vec<(NodeId, Arc<str>)> = self.ending().filter(|s| s.due() <= due).map(key).collect();
+        let ended: Vec<Key> = self.ending().filter(|(_, end)| *end <= due).map(|(key, _)| key.clone()).collect();
         let nodes: BTreeSet<NodeId> = ended.iter().map(|(node, _)| *node).collect();
         let all = nodes.iter().filter_map(|id| graph.node(*id)).flat_map(|node| table.processes_of(graph, node));
         let ending: Vec<Process> =
@@ -189,10 +210,6 @@ fn carry_out(
         edit.set_states(id, after.minus(was).iter().fold(left, StateSet::entering))?;
     }
     Ok(edit.commit())
-}
-
-fn key(since: Since) -> (NodeId, Arc<str>) {
-    (since.node, since.process)
 }
 
 /// The form in which it is saved.
