@@ -1,7 +1,7 @@
 //! The verdict on a task while an episode goes on.
 
 use vc_graph::goal::EpisodeTrace;
-use vc_graph::{Goal, NodeId, SceneGraph};
+use vc_graph::{Event, Goal, NodeId};
 
 use crate::World;
 use crate::compile::Monitor;
@@ -46,11 +46,11 @@ pub struct GoalProgress {
 /// The trace of an episode.
 #[derive(Debug, Clone)]
 struct Past {
+    /// The world's history when the episode began.
+    before: Vec<Event>,
     trace: EpisodeTrace,
     /// The same trace as truth values, while the scene has the nodes that it began with.
     monitor: Option<Monitor>,
-    /// How many actions the world's history had at the last step.
-    done: usize,
 }
 
 impl GoalProgress {
@@ -60,18 +60,25 @@ impl GoalProgress {
         Self { goal: goal.clone(), agent, past }
     }
 
-    /// Takes note of what has been done since the last call, as one step. Call it after each action; after a reset of
-    /// the world the trace begins anew.
+    /// Takes note of what has been done since the last call, as one step. Call it after each action.
     ///
-    /// Costs nothing for a goal without words of time; else one read of each fact that the goal is about, and a visit
-    /// of each step so far for each word of time.
+    /// The world's history says what has been done. Where its last actions are no more or have become others, they were
+    /// undone, as a world is that is set back to a copy, and the trace goes on from the step before them. After a reset
+    /// the trace begins anew; call it before the next action where the new scene may be another one.
+    ///
+    /// Costs nothing for a goal without words of time; else a comparison of the actions so far, one read of each fact
+    /// that the goal is about, and a visit of each step so far for each word of time.
     pub fn note(&mut self, world: &dyn World) {
         let Some(past) = &mut self.past else { return };
         let events = world.history().events();
-        match events.get(past.done..) {
-            Some([]) => {}
-            Some(_) => past.push(world),
-            None => **past = Past::new(&self.goal, world, self.agent),
+        let since = events.strip_prefix(past.before.as_slice());
+        match since {
+            Some(since) if since.starts_with(past.noted()) => past.push(world),
+            Some(since) if past.can_step_back_to(since, world) => {
+                past.step_back_to(since, &self.goal);
+                past.push(world);
+            }
+            _ => **past = Past::new(&self.goal, world, self.agent),
         }
     }
 
@@ -124,27 +131,50 @@ impl Past {
         let trace = EpisodeTrace::new(world.graph().clone(), agent);
         // A goal too large to be compiled is judged on the states.
         let monitor = Monitor::from_trace(goal, &trace);
-        Self { trace, monitor, done: world.history().events().len() }
+        Self { before: world.history().events().to_vec(), trace, monitor }
     }
 
+    /// The actions of the trace.
+    fn noted(&self) -> &[Event] {
+        self.trace.situation(self.trace.steps()).map_or(&[], |now| now.events)
+    }
+
+    /// Adds a step if there are actions that the trace does not have.
     fn push(&mut self, world: &dyn World) {
-        let (graph, events) = (world.graph(), world.history().events());
-        if !self.trace.graph(0).is_some_and(|first| has_nodes_of(first, graph)) {
+        let events = &world.history().events()[self.before.len() + self.noted().len()..];
+        if events.is_empty() {
+            return;
+        }
+        self.trace.push(world.graph().clone(), events.iter().copied());
+        if !self.is_same_scene(world) {
             self.monitor = None;
         }
-        self.trace.push(graph.clone(), events[self.done..].iter().copied());
-        self.done = events.len();
         if let (Some(monitor), Some(now)) = (&mut self.monitor, self.trace.situation(self.trace.steps())) {
             monitor.push(&now);
         }
     }
 
+    /// Whether actions since the episode began can be those of the trace with the last ones undone: not if the world has
+    /// been reset.
+    fn can_step_back_to(&self, since: &[Event], world: &dyn World) -> bool {
+        !since.is_empty() && (since.first() == self.noted().first() || self.is_same_scene(world))
+    }
+
+    /// Whether a world has the nodes with which the trace began.
+    fn is_same_scene(&self, world: &dyn World) -> bool {
+        self.trace.graph(0).is_some_and(|first| first.has_same_nodes(world.graph()))
+    }
+
+    /// Takes back the steps with actions that are not among those since the episode began.
+    fn step_back_to(&mut self, since: &[Event], goal: &Goal) {
+        let kept = self.noted().iter().zip(since).take_while(|(noted, done)| noted == done).count();
+        let is_kept = |step: &usize| self.trace.situation(*step).is_none_or(|then| then.events.len() <= kept);
+        let step = (0..=self.trace.steps()).rev().find(is_kept).unwrap_or(0);
+        self.trace.truncate(step);
+        self.monitor = Monitor::from_constant_nodes(goal, &self.trace);
+    }
+
     fn holds(&self, goal: &Goal) -> bool {
         self.monitor.as_ref().map_or_else(|| goal.holds_on(&self.trace), Monitor::holds)
     }
-}
-
-/// Whether two states of a scene have the same nodes.
-fn has_nodes_of(a: &SceneGraph, b: &SceneGraph) -> bool {
-    a.len() == b.len() && a.nodes().map(vc_graph::Node::id).eq(b.nodes().map(vc_graph::Node::id))
 }

@@ -49,6 +49,25 @@ impl EpisodeTrace {
         self.ends.push(self.events.len());
     }
 
+    /// Takes back all steps after the first `steps`.
+    ///
+    /// ```
+    /// use vc_graph::goal::EpisodeTrace;
+    /// use vc_graph::{Action, Draft, Event, NodeId, SceneBuilder, Verb};
+    /// let mut scene = SceneBuilder::new("flat");
+    /// let me = scene.add(Draft::new("character"))?;
+    /// let mut trace = EpisodeTrace::new(scene.graph().clone(), me);
+    /// trace.push(scene.graph().clone(), [Event { agent: me, action: Action::zero(Verb::Wave) }]);
+    /// trace.truncate(0);
+    /// assert_eq!((trace.steps(), trace.events(1)), (0, &[][..]));
+    /// # Ok::<(), vc_graph::EditError>(())
+    /// ```
+    pub fn truncate(&mut self, steps: usize) {
+        self.graphs.truncate(steps + 1);
+        self.ends.truncate(steps + 1);
+        self.events.truncate(self.ends.last().copied().unwrap_or(0));
+    }
+
     /// The agent that `me` refers to.
     pub fn agent(&self) -> NodeId {
         self.agent

@@ -95,6 +95,11 @@ impl SceneGraph {
         self.len() == 0
     }
 
+    /// Whether another state of a scene has nodes of the same numbers.
+    pub fn has_same_nodes(&self, other: &Self) -> bool {
+        self.len() == other.len() && self.nodes().map(Node::id).eq(other.nodes().map(Node::id))
+    }
+
     /// The node with a number.
     pub fn node(&self, id: NodeId) -> Option<&Node> {
         self.nodes.get(id).map(Arc::as_ref)

@@ -105,6 +105,13 @@ impl Monitor {
         Some(monitor)
     }
 
+    /// As [`Monitor::from_trace`]; `None` also if nodes are added or removed on the way.
+    pub(crate) fn from_constant_nodes(goal: &Goal, trace: &EpisodeTrace) -> Option<Self> {
+        let mut graphs = (0..=trace.steps()).filter_map(|step| trace.graph(step));
+        let first = graphs.next()?;
+        graphs.all(|graph| graph.has_same_nodes(first)).then(|| Self::from_trace(goal, trace)).flatten()
+    }
+
     /// Adds a step: the state after it, whose events continue those of the last step with the ones
     /// of this step. Returns whether the goal holds on the trace so far. Objects that appear or
     /// disappear are ignored.

@@ -140,15 +140,9 @@ fn bindings(q: &Quantified, now: &Situation<'_>) -> Bindings {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn first_held(goal: &Goal, trace: &EpisodeTrace) -> Vec<Option<usize>> {
-    if let Some(monitor) = keeps_its_things(trace).then(|| Monitor::from_trace(goal, trace)).flatten() {
+    if let Some(monitor) = Monitor::from_constant_nodes(goal, trace) {
         return monitor.first_held().to_vec();
     }
     let conjuncts = goal.conjuncts().iter();
     conjuncts.map(|part| (0..=trace.steps()).find(|&step| part.holds_by(trace, step))).collect()
-}
-
-/// Whether the same objects exist at all steps.
-fn keeps_its_things(trace: &EpisodeTrace) -> bool {
-    let things = |step: usize| trace.graph(step).into_iter().flat_map(|g| g.nodes()).map(vc_graph::Node::id);
-    (1..=trace.steps()).all(|step| things(step).eq(things(0)))
 }

@@ -201,6 +201,62 @@ proptest! {
     }
 }
 
+/// Actions at the end are undone, and other ones done; whether that was noted in between does not matter.
+#[derive(Debug, Clone)]
+struct Turn {
+    undone: usize,
+    noted: bool,
+    flip: common::Flip,
+    chosen: usize,
+}
+
+fn turn() -> impl Strategy<Value = Turn> {
+    let all = (0_usize..3, any::<bool>(), common::flip(), 0_usize..4);
+    all.prop_map(|(undone, noted, flip, chosen)| Turn { undone, noted, flip, chosen })
+}
+
+proptest! {
+    #![proptest_config(cases(1000))]
+
+    #[test]
+    fn what_is_undone_counts_no_more(
+        goal in common::temporal(3), first in flips(20), earlier: bool, turns in prop::collection::vec(turn(), 0..7)
+    ) {
+        let mut world = Shown { room: Room::new(&first) };
+        let me = world.room.me;
+        let event = |chosen: usize| {
+            let action = ["grab #2", "grab #5", "eat #3", "place #2 #5"][chosen % 4].parse().unwrap();
+            Event { agent: me, action }
+        };
+        if earlier {
+            world.room.history.push(event(0));
+        }
+        let mut progress = GoalProgress::new(&goal, &world, me);
+        let start = world.room.graph.clone();
+        let mut done: Vec<(Event, SceneGraph)> = Vec::new();
+        for Turn { undone, noted, flip, chosen } in turns {
+            let kept = done.len() - undone.min(done.len());
+            let other = done.get(kept).map(|(event, _)| *event);
+            for _ in done.drain(kept..) {
+                world.room.history.pop();
+            }
+            world.room.graph = done.last().map_or(&start, |(_, graph)| graph).clone();
+            if noted {
+                progress.note(&world);
+            }
+            world.room.flip(flip);
+            let next = if Some(event(chosen)) == other { event(chosen + 1) } else { event(chosen) };
+            world.room.history.push(next);
+            done.push((next, world.room.graph.clone()));
+            progress.note(&world);
+            let mut trace = EpisodeTrace::new(start.clone(), me);
+            done.iter().for_each(|(event, graph)| trace.push(graph.clone(), [*event]));
+            prop_assert_eq!(progress.holds(&world), goal.holds_on(&trace), "{}", goal);
+            prop_assert_eq!(progress.score(&world), goal.score_on(&trace), "{}", goal);
+        }
+    }
+}
+
 fn program(text: &str, room: &Room) -> GoalProgram {
     GoalProgram::new(&text.parse().unwrap(), &room.now()).unwrap()
 }
