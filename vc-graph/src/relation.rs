@@ -82,7 +82,7 @@ impl Relation {
     }
 
     /// The relations of an agent's two hands, the preferred one first.
-    pub fn hands() -> [Self; 2] {
+    pub const fn hands() -> [Self; 2] {
         [Self::HoldsRight, Self::HoldsLeft]
     }
 }

@@ -1,5 +1,6 @@
 //! States of objects and agents: open, on, clean, ...
 
+use crate::Property;
 use crate::vocabulary::{Set, vocabulary};
 
 vocabulary! {
@@ -93,6 +94,25 @@ impl State {
     pub fn opposites(self) -> StateSet {
         let groups = EXCLUSIVE.iter().filter(|group| group.contains(&self));
         groups.fold(StateSet::EMPTY, |set, group| set.union(StateSet::from_words(group))).without(self)
+    }
+
+    /// The affordance without which no action brings a thing into the state; `None` for a state of all sorts of things.
+    ///
+    /// ```
+    /// use vc_graph::{Property, State};
+    /// assert_eq!(State::Closed.needs(), Some(Property::Openable));
+    /// assert_eq!(State::Dirty.needs(), None);
+    /// ```
+    pub fn needs(self) -> Option<Property> {
+        Some(match self {
+            Self::Open | Self::Closed => Property::Openable,
+            Self::On | Self::Off => Property::Switchable,
+            Self::PluggedIn | Self::PluggedOut => Property::Plug,
+            Self::Cooked | Self::Raw => Property::Cookable,
+            Self::Sliced => Property::Cuttable,
+            Self::Folded | Self::Unfolded => Property::Foldable,
+            _ => return None,
+        })
     }
 }
 

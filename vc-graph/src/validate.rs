@@ -5,7 +5,7 @@ use std::fmt;
 
 use crate::geometry::is_finite;
 use crate::node::{Node, NodeKind};
-use crate::{ClassTable, Label, NodeId, Property, Relation, SceneGraph, StateSet};
+use crate::{Label, NodeId, Relation, SceneGraph, StateSet};
 
 /// A violation of a scene's invariants.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -42,7 +42,7 @@ pub enum Violation {
 impl fmt::Display for Violation {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::SupportCycle(ids) => write!(f, "{} rest on each other in a circle", list(ids)),
+            Self::SupportCycle(ids) => write!(f, "{} rest on each other in a cycle", list(ids)),
             Self::NoRoom(id) => write!(f, "{id} is in no room"),
             Self::SeveralRooms(id, rooms) => write!(f, "{id} is in several rooms: {}", list(rooms)),
             Self::RoomInRoom(inner, outer) => write!(f, "room {inner} is in room {outer}"),
@@ -131,11 +131,11 @@ impl SceneGraph {
                 found.push(Violation::RoomApart(node.label(), at.label()));
             }
             // Hanging objects are on a wall or a ceiling.
-            let is_borne = carries(at) || at.is_building();
+            let is_borne = at.carries() || at.is_building();
             if place.relation == Relation::On && node.kind() == NodeKind::Object && !is_borne {
                 found.push(Violation::NotASurface(node.label(), at.label()));
             }
-            if place.relation == Relation::Inside && !encloses(at, self.classes()) && !soaks(at) {
+            if place.relation == Relation::Inside && !at.encloses(self.classes()) && !at.soaks() {
                 found.push(Violation::NotAContainer(node.label(), at.label()));
             }
         }
@@ -148,8 +148,8 @@ impl SceneGraph {
             found.push(Violation::BadGeometry(node.label()));
         }
         for (relation, kind) in crate::class::OCCUPANCY {
-            let (here, places) = (node.inc(relation).count(), node.slots(kind));
-            if here > places.max(1) as usize {
+            let (here, places) = (node.inc(relation).count(), node.capacity(kind));
+            if here > places as usize {
                 found.push(Violation::OverCapacity(node.label(), here, places));
             }
         }
@@ -206,29 +206,4 @@ impl Path {
     fn since(&self, id: NodeId) -> impl Iterator<Item = NodeId> + '_ {
         self.steps.iter().map(|(step, _)| *step).skip_while(move |step| *step != id)
     }
-}
-
-/// Whether objects may rest on a node: surfaces, seats and beds, on which people also put objects, and books.
-pub(crate) fn carries(node: &Node) -> bool {
-    use Property::{Container, Heater, Lieable, Recipient, Sittable, Surface};
-    [Surface, Sittable, Lieable, Container, Recipient, Heater].into_iter().any(|p| node.affords(p)) || is_leaves(node)
-}
-
-/// Whether a node is a book, a magazine or a sheet of paper: a flat object of no larger size can lie on it.
-pub(crate) fn is_leaves(node: &Node) -> bool {
-    [Property::Readable, Property::Paper, Property::Graspable].into_iter().all(|p| node.affords(p))
-}
-
-/// Whether a node absorbs liquids poured on it: a sponge, hands.
-pub(crate) fn soaks(node: &Node) -> bool {
-    node.affords(Property::Wiper) || node.affords(Property::BodyPart)
-}
-
-/// Whether objects may be in a node: the author or the class table says that it is a container. A node of a
-/// class that is not in the table counts as a container if it opens; known classes that open may be doors or
-/// books.
-pub(crate) fn encloses(node: &Node, classes: &ClassTable) -> bool {
-    use Property::{Container, Drivable, Openable, Recipient};
-    let holds = [Container, Recipient, Drivable].into_iter().any(|p| node.affords(p));
-    holds || (node.affords(Openable) && classes.get(node.class()).is_none())
 }

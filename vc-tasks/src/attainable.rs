@@ -1,19 +1,29 @@
-//! Predicates that some action makes true.
+//! Predicates that some action or process makes true.
 
+use vc_graph::clock::ProcessTable;
 use vc_graph::goal::Predicate;
 use vc_graph::rule::table::RULES;
 use vc_graph::{Effect, Relation, State};
 
-/// Whether the transition rules have an action that makes a predicate true.
+/// Whether a predicate can be made true: the transition rules have an action that does so, or the built-in
+/// [`ProcessTable`] a process. Processes go on only in a world with a clock: that of `virtualcity::Environment` runs,
+/// [`Simulator`](vc_graph::Simulator) has none.
 ///
 /// ```
 /// use vc_graph::State;
 /// use vc_graph::goal::Predicate;
 /// use vc_tasks::lint::brought_about;
 /// assert!(brought_about(Predicate::State(State::Cooked)));
+/// assert!(brought_about(Predicate::State(State::Frozen))); // by a freezer, in four hours
 /// assert!(!brought_about(Predicate::State(State::Broken)));
 /// ```
 pub fn brought_about(predicate: Predicate) -> bool {
+    let by_process = |state| ProcessTable::builtin().brings_about(state);
+    brought_about_by_action(predicate) || matches!(predicate, Predicate::State(state) if by_process(state))
+}
+
+/// Whether the transition rules have an action that makes a predicate true.
+pub(crate) fn brought_about_by_action(predicate: Predicate) -> bool {
     match predicate {
         Predicate::Did(_) | Predicate::Holds => true,
         Predicate::State(state) => RULES.iter().flat_map(|r| r.effects).any(|e| enters(e, state)),

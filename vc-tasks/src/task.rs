@@ -142,6 +142,11 @@ impl Task {
     /// parts that must hold, but not negations; one alternative of a disjunction must be possible. Labels of another
     /// class than their nodes, missing nodes and unknown classes are reported wherever they stand.
     ///
+    /// A state that no action brings about is no obstacle where a process of the built-in
+    /// [`ProcessTable`](vc_graph::clock::ProcessTable) could: juice freezes in a freezer. Processes go on in a world with
+    /// a clock, as `virtualcity::Environment`; in a [`Simulator`](vc_graph::Simulator) no time passes, and planners do
+    /// not wait for them.
+    ///
     /// ```
     /// use vc_graph::{Draft, SceneBuilder};
     /// use vc_tasks::Task;

@@ -126,7 +126,7 @@ fn settle(scene: &mut SceneBuilder, id: NodeId, kind: NodeKind, choice: usize, f
 
 /// The places that a node can have in a sound scene.
 pub fn places_for(graph: &SceneGraph, id: NodeId, kind: NodeKind) -> Vec<Place> {
-    let free = |n: &Node, slot, relation| graph.relating(relation, n.id()).count() < n.slots(slot).max(1) as usize;
+    let free = |n: &Node, slot, relation| graph.relating(relation, n.id()).count() < n.capacity(slot) as usize;
     let mut found = Vec::new();
     for node in graph.nodes().filter(|n| n.id() != id && n.kind() != NodeKind::Room && !graph.rests_at(n.id(), id)) {
         let mut offer = |yes: bool, relation| found.extend(yes.then_some(Place { relation, at: node.id() }));

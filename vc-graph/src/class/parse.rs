@@ -58,7 +58,7 @@ pub enum ClassProblem {
     Kept(String),
     /// A class is its own ancestor.
     #[error("`{0}` is a kind of itself")]
-    Circle(String),
+    Cycle(String),
     /// A class has too many ancestors.
     #[error("`{0}` has more than {DEEPEST} ancestors")]
     TooDeep(String),
@@ -291,7 +291,7 @@ fn kinds(table: &ClassTable, first_new: usize, origins: &[Origin<'_>]) -> Result
         while let Some(index) = open.pop() {
             if index == class.index {
                 let origin = &origins[index.saturating_sub(first_new)];
-                return Err(origin.error(1, ClassProblem::Circle(class.name.to_string())));
+                return Err(origin.error(1, ClassProblem::Cycle(class.name.to_string())));
             }
             if seen.len() > DEEPEST {
                 let origin = &origins[class.index.saturating_sub(first_new)];

@@ -48,6 +48,11 @@ impl Signed {
         self.with.minus(states).is_empty() && !self.without.intersects(states)
     }
 
+    /// Whether things that meet these needs also meet others.
+    pub(super) fn include(self, others: Self) -> bool {
+        others.with.minus(self.with).is_empty() && others.without.minus(self.without).is_empty()
+    }
+
     /// The states afterwards.
     pub(super) fn after(self, states: StateSet) -> StateSet {
         self.with.iter().fold(states.minus(self.without), StateSet::entering)
@@ -90,6 +95,11 @@ impl Site {
         let states: Vec<&str> = text.split_whitespace().filter(|word| *word != RUNNING).collect();
         let running = text.split_whitespace().any(|word| word == RUNNING);
         Ok(Self { states: Signed::parse(&states.join(" "))?, running, ..self })
+    }
+
+    /// The kinds of places that a thing is to be in or at, if it is not to be away from them.
+    pub(super) fn wanted(&self) -> Option<&Kinds> {
+        (self.side != Side::Away).then_some(&self.kinds)
     }
 
     pub(super) fn holds(&self, graph: &SceneGraph, id: NodeId) -> bool {

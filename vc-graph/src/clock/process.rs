@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::kind::Kinds;
 use super::needs::{Signed, Site};
 use super::tick::{Span, Tick};
-use crate::{Node, NodeId, Relation, SceneGraph, StateSet};
+use crate::{Node, NodeId, Relation, SceneGraph, State, StateSet};
 
 /// A line of the table of processes.
 #[derive(Debug, Clone, PartialEq)]
@@ -29,6 +29,35 @@ impl Rule {
         self.needs.hold(node.states()) && self.kinds.have(graph, node) && self.site.as_ref().is_none_or(here)
     }
 
+    /// Whether its thing enters a state in which it was not before.
+    pub(super) fn enters(&self, state: State) -> bool {
+        self.becomes.with.contains(state) && !self.needs.with.contains(state)
+    }
+
+    /// Whether things inside its thing enter a state.
+    pub(super) fn enters_inside(&self, state: State) -> bool {
+        self.inside.as_ref().is_some_and(|(_, becomes)| becomes.with.contains(state))
+    }
+
+    /// Whether a thing of a scene could be the thing of this process and enter a state.
+    pub(super) fn brings_into(&self, graph: &SceneGraph, thing: &Node, state: State) -> bool {
+        let place = self.site.as_ref().and_then(Site::wanted);
+        let could_be_there = || place.is_none_or(|kinds| could_be_at(graph, thing, kinds));
+        self.enters(state) && self.kinds.have(graph, thing) && could_be_there()
+    }
+
+    /// Whether a thing of a scene could be inside the thing of this process and enter a state.
+    pub(super) fn brings_inside_into(&self, graph: &SceneGraph, thing: &Node, state: State) -> bool {
+        let is_such = || self.inside.as_ref().is_some_and(|(kinds, _)| kinds.have(graph, thing));
+        self.enters_inside(state) && is_such() && could_be_at(graph, thing, &self.kinds)
+    }
+
+    /// Whether it goes on with a thing wherever another process of its name does.
+    pub(super) fn covers(&self, other: &Self, graph: &SceneGraph, thing: &Node) -> bool {
+        let is_there = self.site.is_none() || self.site == other.site;
+        self.group == other.group && is_there && other.needs.include(self.needs) && self.kinds.have(graph, thing)
+    }
+
     /// The nodes whose states it would change, with their states afterwards.
     pub(super) fn changes(&self, graph: &SceneGraph, node: &Node) -> Vec<(NodeId, StateSet)> {
         let own = std::iter::once((node, self.becomes));
@@ -39,6 +68,15 @@ impl Rule {
         });
         let after = own.chain(inside).map(|(node, becomes)| (node, becomes.after(node.states())));
         after.filter(|(node, after)| node.states() != *after).map(|(node, after)| (node.id(), after)).collect()
+    }
+}
+
+/// Whether a thing is on or in one of some kinds, or can be brought there.
+fn could_be_at(graph: &SceneGraph, thing: &Node, kinds: &Kinds) -> bool {
+    let is_place = |node: &Node| node.id() != thing.id() && kinds.have(graph, node);
+    match thing.is_graspable() {
+        true => graph.nodes().any(is_place),
+        false => graph.support_chain(thing.id()).into_iter().filter_map(|id| graph.node(id)).any(is_place),
     }
 }
 

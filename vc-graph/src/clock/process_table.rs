@@ -8,7 +8,7 @@ use super::needs::{Signed, Site};
 use super::process::{Process, Rule};
 use super::text::{Line, lines, name, span};
 use crate::class::ClassTable;
-use crate::{Node, SceneGraph};
+use crate::{Node, NodeId, SceneGraph, State};
 
 const COLUMNS: [&str; 9] =
     ["process", "things", "while", "place", "place is", "becomes", "inside", "inside becomes", "after"];
@@ -115,6 +115,38 @@ impl ProcessTable {
     /// states fit.
     pub fn processes(&self, graph: &SceneGraph) -> Vec<Process> {
         graph.nodes().flat_map(|node| self.processes_of(graph, node)).collect()
+    }
+
+    /// Whether some process brings things into a state.
+    pub fn brings_about(&self, state: State) -> bool {
+        self.rules.iter().any(|rule| rule.enters(state) || rule.enters_inside(state))
+    }
+
+    /// Whether some process could bring a thing of a scene into a state, now or after actions: the scene has the machine
+    /// or the place that it takes, and the thing is there or can be carried there. The states that it needs as well, as
+    /// that the machine is on, are not asked for.
+    ///
+    /// Costs, for each line that enters the state, a look at all nodes.
+    ///
+    /// ```
+    /// use vc_graph::clock::ProcessTable;
+    /// use vc_graph::{Draft, SceneBuilder, State};
+    /// let mut scene = SceneBuilder::new("flat");
+    /// let kitchen = scene.add(Draft::new("kitchen"))?;
+    /// let juice = scene.add_in(kitchen, Draft::new("juice"))?;
+    /// let processes = ProcessTable::builtin();
+    /// assert!(!processes.brings_into(scene.graph(), juice, State::Frozen));
+    /// scene.add_in(kitchen, Draft::new("freezer"))?;
+    /// assert!(processes.brings_into(scene.graph(), juice, State::Frozen));
+    /// # Ok::<(), vc_graph::EditError>(())
+    /// ```
+    pub fn brings_into(&self, graph: &SceneGraph, thing: NodeId, state: State) -> bool {
+        let Some(thing) = graph.node(thing) else { return false };
+        // The last line of a name counts.
+        let counts = |index: usize, rule: &Rule| !self.rules[index + 1..].iter().any(|r| r.covers(rule, graph, thing));
+        self.rules.iter().enumerate().any(|(index, rule)| {
+            rule.brings_inside_into(graph, thing, state) || rule.brings_into(graph, thing, state) && counts(index, rule)
+        })
     }
 
     /// The processes of one thing.

@@ -1,6 +1,7 @@
 //! Nodes: their constant specification and their changing state.
 
 mod draft;
+mod uses;
 
 use std::cmp::Ordering;
 use std::sync::Arc;

@@ -2,7 +2,6 @@
 
 use crate::class::SlotKind;
 use crate::node::Node;
-use crate::validate::is_leaves;
 use crate::{Property, Relation, SceneGraph};
 
 /// The reason why an object does not fit on or in another, if the sizes of both are known. A container with a
@@ -18,7 +17,7 @@ pub(super) fn misfit(graph: &SceneGraph, thing: &Node, target: &Node) -> Option<
     if slots > 0 && inside().count() >= slots as usize {
         return Some("has no free slot");
     }
-    let leaves = is_leaves(target);
+    let leaves = target.is_leaves();
     if leaves && !thing.affords(Property::Paper) {
         return Some("carries only what is of paper");
     }

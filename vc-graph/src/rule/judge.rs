@@ -8,7 +8,6 @@ use crate::rule::check::{Reason, origin, vehicle_of};
 use crate::rule::condition::Condition;
 use crate::rule::fit::misfit;
 use crate::rule::refusal::Refusal;
-use crate::validate::{carries, encloses, soaks};
 use crate::vocabulary::Word;
 use crate::{Edge, NodeId, Place, Property, Relation, SceneGraph, State};
 
@@ -38,22 +37,27 @@ impl<'a, W: Reason> Judge<'a, W> {
             C::Graspable(t) => self.graspable(t),
             C::NotElsewhereHeld(t) => self.not_elsewhere_held(t),
             C::FreeHand => self.require(graph.free_hand(agent).is_some(), || Refusal::NoFreeHand),
-            C::FreeHandOrHolding(t) => {
-                self.require(graph.free_hand(agent).is_some() || self.holds(t), || Refusal::NoFreeHand)
-            }
+            C::FreeHandOrHolding(t) => self
+                .require(graph.free_hand(agent).is_some() || self.holds(t), || Refusal::NoFreeHand),
             C::Holding(t) => self.require(self.holds(t), || Refusal::NotHeld(graph.label(t))),
-            C::HoldingSomething => self.require(graph.held(agent).next().is_some(), || Refusal::EmptyHands),
+            C::HoldingSomething => {
+                self.require(graph.held(agent).next().is_some(), || Refusal::EmptyHands)
+            }
             C::HoldingKind(p) => self.holds_tool(p),
-            C::Carries(t) => self.require(carries(self.node(t)?), || Refusal::NotAfforded(graph.label(t), "a surface")),
+            C::Carries(t) => {
+                self.require(self.node(t)?.carries(), || Refusal::NotAfforded(graph.label(t), "a surface"))
+            }
             C::Encloses(t) => {
-                let holds = encloses(self.node(t)?, graph.classes());
+                let holds = self.node(t)?.encloses(graph.classes());
                 self.require(holds, || Refusal::NotAfforded(graph.label(t), "a container"))
             }
             C::Accepts(t) => self.require(!self.node(t)?.hides_contents(), || Refusal::Shut(graph.label(t))),
             C::Fits(t, at) => self.fits(t, at),
             C::OriginNear(t) => self.origin_near(t),
             C::Upright => self.require(!self.at_rest(), || Refusal::NotUpright),
-            C::UprightOrNear(t) => self.require(!self.at_rest() || graph.near(agent, t), || Refusal::NotUpright),
+            C::UprightOrNear(t) => {
+                self.require(!self.at_rest() || graph.near(agent, t), || Refusal::NotUpright)
+            }
             C::AtRest => self.require(self.at_rest(), || Refusal::NotAtRest),
             C::NotSitting => self.not_yet(State::Sitting),
             C::NotLying => self.not_yet(State::Lying),
@@ -145,9 +149,7 @@ impl<'a, W: Reason> Judge<'a, W> {
 
     fn graspable(&self, id: NodeId) -> Result<(), W> {
         let node = self.node(id)?;
-        // Water is scooped up with the hands, since VirtualHome's programs grab it.
-        let scooped = &**node.class() == "water";
-        self.require(scooped || node.affords(Property::Graspable), || Refusal::NotAfforded(node.label(), "graspable"))
+        self.require(node.is_graspable(), || Refusal::NotAfforded(node.label(), "graspable"))
     }
 
     fn not_elsewhere_held(&self, id: NodeId) -> Result<(), W> {
@@ -180,7 +182,7 @@ impl<'a, W: Reason> Judge<'a, W> {
     }
 
     fn seat_inside(&self, id: NodeId) -> Result<(), W> {
-        let places = self.node(id)?.slots(SlotKind::Seat).max(1);
+        let places = self.node(id)?.capacity(SlotKind::Seat);
         let agent = |n: &NodeId| self.graph.node(*n).is_some_and(|n| n.kind() == NodeKind::Agent);
         let taken = self.graph.relating(Relation::Inside, id).filter(agent).count();
         self.require(taken < places as usize, || Refusal::Occupied { seat: self.graph.label(id), places })
@@ -207,9 +209,7 @@ impl<'a, W: Reason> Judge<'a, W> {
 
     fn receives(&self, id: NodeId) -> Result<(), W> {
         let node = self.node(id)?;
-        self.require(soaks(node) || node.affords(Property::Recipient), || {
-            Refusal::NotAfforded(node.label(), "a recipient")
-        })
+        self.require(node.receives_liquids(), || Refusal::NotAfforded(node.label(), "a recipient"))
     }
 
     fn on_heat(&self, id: NodeId) -> Result<(), W> {
@@ -240,7 +240,7 @@ impl<'a, W: Reason> Judge<'a, W> {
     }
 
     fn free_place(&self, id: NodeId, relation: Relation, kind: SlotKind) -> Result<(), W> {
-        let places = self.node(id)?.slots(kind).max(1);
+        let places = self.node(id)?.capacity(kind);
         let taken = self.graph.relating(relation, id).count();
         self.require(taken < places as usize, || Refusal::Occupied { seat: self.graph.label(id), places })
     }

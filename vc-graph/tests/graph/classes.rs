@@ -235,7 +235,7 @@ fn a_name_has_a_letter_or_digit() {
 }
 
 #[test]
-fn circles_are_found_between_several_classes() {
+fn cycles_are_found_between_several_classes() {
     let text = "a | b | | group | | | | | |\nb | c | | group | | | | | |\nc | a | | group | | | | | |\n";
     let error: ClassError = ClassTable::parse("mine.txt", text).unwrap_err();
     assert_eq!(error.to_string(), "mine.txt, line 1, column `kind of`: `a` is a kind of itself");

@@ -2,7 +2,7 @@
 #![allow(clippy::unwrap_used)]
 
 use vc_graph::rule::{self, table::RULES};
-use vc_graph::{Action, NodeId, Refusal, Verb, Word};
+use vc_graph::{Action, ActionRule, Condition, Effect, NodeId, Property, Refusal, State, Verb, Word};
 use vc_testkit::flat::{Flat, plain};
 
 #[test]
@@ -18,6 +18,31 @@ fn the_table_is_in_the_order_of_the_verbs() {
             "{verb} needs a thing it does not take"
         );
         assert_eq!(rule::effects(&action).len(), rule.effects.len(), "{verb} is about a thing it does not take");
+    }
+}
+
+/// The affordance that a state needs is demanded by each verb that brings the state about.
+#[test]
+fn states_need_what_their_verbs_demand() {
+    for &state in State::ALL {
+        let enters = |rule: &&ActionRule| {
+            rule.effects
+                .iter()
+                .any(|effect| matches!(effect, Effect::Enter(_, s) | Effect::EnterWith(_, s) if *s == state))
+        };
+        let demands = |rule: &ActionRule, property| {
+            rule.preconditions.iter().any(|need| match need {
+                Condition::Affords(_, p) => *p == property,
+                Condition::Cuttable(_) => property == Property::Cuttable,
+                _ => false,
+            })
+        };
+        let verbs: Vec<&ActionRule> = RULES.iter().filter(enters).collect();
+        let common = |property: &&Property| !verbs.is_empty() && verbs.iter().all(|rule| demands(rule, **property));
+        let found = Property::ALL.iter().find(common).copied();
+        assert!(verbs.is_empty() || found == state.needs(), "{state}: {found:?}");
+        let opposite = state.opposites().iter().all(|other| state.needs().is_none() || other.needs() == state.needs());
+        assert!(opposite, "{state}");
     }
 }
 

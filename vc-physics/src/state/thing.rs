@@ -29,7 +29,7 @@ pub(crate) struct Places {
 
 impl Places {
     pub(crate) fn new(node: &Node) -> Self {
-        Self { seats: node.slots(SlotKind::Seat).max(1), beds: node.slots(SlotKind::Lie).max(1) }
+        Self { seats: node.capacity(SlotKind::Seat), beds: node.capacity(SlotKind::Lie) }
     }
 }
 

@@ -173,7 +173,7 @@ impl Agent {
             _ => 0,
         };
         // Mostly that is seen at once.
-        if self.goal.conjuncts().iter().map(held).sum::<usize>() <= 2 {
+        if self.goal.conjuncts().iter().map(held).sum::<usize>() <= vc_graph::Relation::hands().len() {
             return false;
         }
         let task = Task::new("", self.goal.clone());

@@ -1,12 +1,13 @@
 //! Detection of conflicting needs.
 
+use vc_graph::Relation;
 use vc_graph::goal::largest_matching;
 
 use super::Compiled;
 use crate::packed::{Problem, ones};
 
 /// The number of things that can be held at the end.
-const HANDS: u32 = 2;
+const HANDS: u32 = Relation::hands().len() as u32;
 
 impl Compiled {
     /// Whether the needs conflict: more things are to be held than there are hands, or there are too few items

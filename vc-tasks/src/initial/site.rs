@@ -147,7 +147,11 @@ impl Places<'_> {
     fn surfaces(&self, node: &Node, relation: Relation, hangs: bool, sites: &mut Vec<Site>) {
         let site = |surface| Site { relation, at: node.id(), surface, weight: 1.0 };
         let Some(asset) = node.spec().asset.and_then(|id| self.assets.get(id)) else {
-            return sites.extend(takes(node, relation).then(|| site(None)));
+            let takes = match relation {
+                Relation::Inside => node.encloses(self.graph.classes()),
+                _ => node.role() == ObjectRole::Floor || node.carries(),
+            };
+            return sites.extend(takes.then(|| site(None)));
         };
         for (index, surface) in asset.surfaces.iter().enumerate() {
             let serves = match (surface.hold, relation) {
@@ -159,15 +163,6 @@ impl Places<'_> {
                 sites.push(site(Some(index)));
             }
         }
-    }
-}
-
-/// Whether an object without surfaces can hold others on it or in it.
-fn takes(node: &Node, relation: Relation) -> bool {
-    let any = |all: &[Property]| all.iter().any(|&p| node.affords(p));
-    match relation {
-        Relation::Inside => any(&[Property::Container]),
-        _ => node.role() == ObjectRole::Floor || any(&[Property::Surface, Property::Sittable, Property::Lieable]),
     }
 }
 

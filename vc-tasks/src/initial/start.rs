@@ -78,16 +78,7 @@ fn things(graph: &SceneGraph, terms: &[Term], state: State) -> Vec<NodeId> {
 
 /// Whether these affordances allow a state at all.
 pub(super) fn allows(affordances: PropertySet, state: State) -> bool {
-    let needed = match state {
-        State::Open | State::Closed => Property::Openable,
-        State::On | State::Off => Property::Switchable,
-        State::PluggedIn | State::PluggedOut => Property::Plug,
-        State::Folded | State::Unfolded => Property::Foldable,
-        State::Cooked | State::Raw => Property::Cookable,
-        State::Sliced => Property::Cuttable,
-        _ => return true,
-    };
-    affordances.contains(needed)
+    state.needs().is_none_or(|needed| affordances.contains(needed))
 }
 
 /// The first part of a start that does not hold; a state of a class without objects counts as

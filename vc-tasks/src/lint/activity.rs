@@ -4,7 +4,7 @@ use std::collections::{HashMap, HashSet};
 
 use vc_graph::goal::{Pairing, Predicate};
 
-use super::circle::{first_in_circle, rests};
+use super::cycle::{first_in_cycle, rests};
 use super::{Finding, FindingKind, satisfiability};
 use crate::format::bddl::{
     ActivityDefinition, AppliedPredicate, ConditionNode, DOMAINS, Facts, TypedVariable, meaning,
@@ -35,8 +35,8 @@ pub fn activity(activity: &ActivityDefinition) -> Vec<Finding> {
     let (mut start, mut wanted) = (Vec::new(), Vec::new());
     start.extend(activity.initial().filter(|f| f.holds).map(|f| (f.atom, f.at)));
     conjuncts(activity.goal(), &mut wanted);
-    checker.circles(&start);
-    checker.circles(&wanted);
+    checker.cycles(&start);
+    checker.cycles(&wanted);
     checker.strays(activity);
     checker.found.extend(judged(activity));
     checker.found
@@ -82,14 +82,14 @@ impl<'t> Checker<'t> {
     }
 
     /// Reports one finding if objects are said to rest on each other in a cycle.
-    fn circles(&mut self, said: &[(AppliedPredicate<'t>, Expr<'t>)]) {
+    fn cycles(&mut self, said: &[(AppliedPredicate<'t>, Expr<'t>)]) {
         let resting = |(atom, at): &(AppliedPredicate<'t>, Expr<'t>)| match meaning(atom.predicate) {
             Some(Predicate::Relation(relation)) if rests(relation) => Some((*at, (atom.first, atom.second?))),
             _ => None,
         };
         let (places, pairs): (Vec<Expr<'t>>, Vec<(&str, &str)>) = said.iter().filter_map(resting).unzip();
-        if let Some(index) = first_in_circle(&pairs) {
-            self.add(FindingKind::Circle, places[index], places[index].to_string());
+        if let Some(index) = first_in_cycle(&pairs) {
+            self.add(FindingKind::Cycle, places[index], places[index].to_string());
         }
     }
 

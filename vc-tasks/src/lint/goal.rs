@@ -5,7 +5,7 @@ use std::collections::{BTreeSet, HashSet};
 use vc_graph::goal::{Comparison, Goal, Literal, Predicate, Situation, Term};
 use vc_graph::{ClassTable, History, NodeId, Refusal, SceneGraph, did_you_mean};
 
-use super::circle::{first_in_circle, rests};
+use super::cycle::{first_in_cycle, rests};
 use super::{Finding, FindingKind, LARGEST, satisfiability};
 use crate::attainable::brought_about;
 use crate::compile::{CompileError, Compiler, GoalProgram, Things};
@@ -29,7 +29,7 @@ use crate::{Obstacle, Task};
 pub fn goal(goal: &Goal, scene: Option<&SceneGraph>) -> Vec<Finding> {
     let mut found = Vec::new();
     check_part(goal, &mut Vec::new(), Some(true), &mut found);
-    found.extend(circle(goal));
+    found.extend(cycle(goal));
     found.extend(unknown(goal, scene));
     found.extend(scene.into_iter().flat_map(|graph| lacking(goal, graph)));
     let program = compiled(goal, scene);
@@ -74,15 +74,19 @@ fn lacking(goal: &Goal, graph: &SceneGraph) -> Vec<Finding> {
     let missing: BTreeSet<NodeId> = ids.filter(nobody).collect();
     let missing = missing.into_iter().map(|id| finding(FindingKind::Obstacle, Refusal::NoSuchThing(id).to_string()));
     let task = Task::new("", goal.clone());
-    // Unknown classes are findings of their own, and states that no action brings about are found without a scene, too.
-    let is_plain = |o: &Obstacle| !matches!(o, Obstacle::UnknownClass { .. } | Obstacle::NoAction { .. });
-    let obstacles =
-        task.obstacles(graph).into_iter().filter(is_plain).map(|o| finding(FindingKind::Obstacle, o.to_string()));
+    // Unknown classes are findings of their own, and states that nothing brings about are found without a scene, too.
+    let is_found_here = |obstacle: &Obstacle| match obstacle {
+        Obstacle::UnknownClass { .. } => false,
+        Obstacle::NoAction { state, .. } => brought_about(Predicate::State(*state)),
+        _ => true,
+    };
+    let obstacles = task.obstacles(graph).into_iter().filter(is_found_here);
+    let obstacles = obstacles.map(|o| finding(FindingKind::Obstacle, o.to_string()));
     name_mismatches.chain(missing).chain(obstacles).collect()
 }
 
 /// A finding if the goal asks for objects that support each other in a cycle.
-fn circle(goal: &Goal) -> Option<Finding> {
+fn cycle(goal: &Goal) -> Option<Finding> {
     let mut literals = Vec::new();
     conjuncts(goal, &mut literals);
     let node = |term: &Term| if let Term::Node(_, id) = term { Some(*id) } else { None };
@@ -93,8 +97,8 @@ fn circle(goal: &Goal) -> Option<Finding> {
         _ => None,
     });
     let (said, pairs): (Vec<&Literal>, Vec<(NodeId, NodeId)>) = resting.unzip();
-    let part = Goal::Literal((*said.get(first_in_circle(&pairs)?)?).clone()).to_string();
-    Some(Finding { kind: FindingKind::Circle, at: None, part })
+    let part = Goal::Literal((*said.get(first_in_cycle(&pairs)?)?).clone()).to_string();
+    Some(Finding { kind: FindingKind::Cycle, at: None, part })
 }
 
 /// Collects the literals that must all hold for a goal to hold.

@@ -14,7 +14,7 @@
 //! ```
 
 mod activity;
-mod circle;
+mod cycle;
 mod goal;
 mod satisfy;
 
@@ -52,7 +52,7 @@ pub enum FindingKind {
     /// A relation has the same object twice.
     WithItself,
     /// Objects rest on or in each other in a cycle.
-    Circle,
+    Cycle,
     /// The domain is not known.
     UnknownDomain,
     /// The class of a label is not that of its node in the scene.
@@ -63,7 +63,7 @@ pub enum FindingKind {
     Obstacle,
     /// A word or section without a meaning.
     Stray,
-    /// The goal asks for a state or relation that no action brings about.
+    /// The goal asks for a state or relation that neither an action nor a process brings about.
     NothingBringsAbout,
     /// A remark: one of the two variables of a pair does not occur in its condition.
     UnusedInPair,
@@ -95,7 +95,7 @@ impl FindingKind {
             Self::Undeclared => "not declared",
             Self::WrongArity => "a predicate of too many or too few things",
             Self::WithItself => "a thing in relation to itself",
-            Self::Circle => "things rest on each other in a circle",
+            Self::Cycle => "things rest on each other in a cycle",
             Self::UnknownDomain => "an unknown domain",
             Self::NameMismatch => "a thing called what it is not",
             Self::UnknownClass => "an unknown class",

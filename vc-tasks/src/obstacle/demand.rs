@@ -1,44 +1,82 @@
-//! The affordances that predicates demand of the objects they are about.
+//! The abilities that predicates demand of the objects they are about.
 
+use vc_graph::clock::ProcessTable;
 use vc_graph::goal::Predicate;
-use vc_graph::{Node, NodeKind, Property, Relation, State};
+use vc_graph::{Node, NodeKind, Property, Relation, SceneGraph, State};
 
-/// Whether a node has an affordance.
-pub(super) type Fits = fn(&Node) -> bool;
+/// An ability that a predicate demands of an object.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Demand {
+    /// It can be carried, or goes by itself.
+    Moves,
+    /// It can be picked up.
+    Graspable,
+    /// Things can be put on it.
+    Carries,
+    /// Things can be put in it, or poured.
+    Encloses,
+    /// It is an agent.
+    Person,
+    /// It can be brought into a state, by an action or by a process.
+    Enters(State),
+    /// It has an affordance.
+    Affords(Property),
+}
 
-/// The affordance that a predicate demands of the object in a position.
-pub(super) fn demand(predicate: Predicate, position: usize) -> (Fits, &'static str) {
-    let any: (Fits, &'static str) = (|_| true, "");
-    match (predicate, position) {
-        (Predicate::Relation(Relation::On | Relation::Inside), 0) | (Predicate::Holds, 1) => {
-            (|n| n.affords(Property::Graspable), "graspable")
+/// The ability that a predicate demands of the object in a position, if it demands any.
+pub(super) fn demand(predicate: Predicate, position: usize) -> Option<Demand> {
+    use Relation as R;
+    Some(match (predicate, position) {
+        (Predicate::Relation(R::On | R::Inside), 0) => Demand::Moves,
+        (Predicate::Holds | Predicate::Relation(R::HoldsRight | R::HoldsLeft), 1) => Demand::Graspable,
+        (Predicate::Relation(R::On), 1) => Demand::Carries,
+        (Predicate::Relation(R::Inside), 1) => Demand::Encloses,
+        (Predicate::Relation(R::SittingOn), 1) => Demand::Affords(Property::Sittable),
+        (Predicate::Relation(R::LyingOn), 1) => Demand::Affords(Property::Lieable),
+        (Predicate::Relation(R::SittingOn | R::LyingOn), 0) => Demand::Person,
+        (Predicate::Relation(R::WornBy), 0) => Demand::Affords(Property::Wearable),
+        (Predicate::State(state), 0) => Demand::Enters(state),
+        _ => return None,
+    })
+}
+
+impl Demand {
+    /// Whether an object meets the demand, as the transition rules and the processes have it.
+    pub(super) fn is_met(self, node: &Node, graph: &SceneGraph) -> bool {
+        match self {
+            Self::Moves => node.is_graspable() || node.kind() == NodeKind::Agent,
+            Self::Graspable => node.is_graspable(),
+            Self::Carries => node.carries(),
+            Self::Encloses => {
+                node.kind() == NodeKind::Room || node.encloses(graph.classes()) || node.receives_liquids()
+            }
+            Self::Person => node.kind() == NodeKind::Agent,
+            Self::Enters(state) => {
+                let by_action = by_action(state).is_none_or(|demand| demand.is_met(node, graph));
+                by_action || ProcessTable::builtin().brings_into(graph, node.id(), state)
+            }
+            Self::Affords(property) => node.affords(property),
         }
-        (Predicate::Relation(Relation::On), 1) => (
-            |n| {
-                [Property::Surface, Property::Sittable, Property::Lieable, Property::Container, Property::Heater]
-                    .into_iter()
-                    .any(|p| n.affords(p))
-            },
-            "a surface",
-        ),
-        (Predicate::Relation(Relation::Inside), 1) => (
-            |n| n.kind() == NodeKind::Room || n.affords(Property::Container) || n.affords(Property::Recipient),
-            "a container",
-        ),
-        (Predicate::Relation(Relation::SittingOn), 1) => (|n| n.affords(Property::Sittable), "sittable"),
-        (Predicate::Relation(Relation::LyingOn), 1) => (|n| n.affords(Property::Lieable), "lieable"),
-        (Predicate::Relation(Relation::SittingOn | Relation::LyingOn), 0) => {
-            (|n| n.kind() == NodeKind::Agent, "a person")
+    }
+
+    /// The property that an object lacks which does not meet the demand.
+    pub(super) fn as_str(self) -> &'static str {
+        match self {
+            Self::Moves | Self::Graspable => "graspable",
+            Self::Carries => "a surface",
+            Self::Encloses => "a container",
+            Self::Person => "a person",
+            Self::Affords(Property::Plug) => "with a plug",
+            Self::Affords(property) => vc_graph::Word::as_str(property),
+            Self::Enters(state) => by_action(state).map_or("", Self::as_str),
         }
-        (Predicate::Relation(Relation::WornBy), 0) => (|n| n.affords(Property::Wearable), "wearable"),
-        (Predicate::State(State::Open | State::Closed), 0) => (|n| n.affords(Property::Openable), "openable"),
-        (Predicate::State(State::On | State::Off), 0) => (|n| n.affords(Property::Switchable), "switchable"),
-        (Predicate::State(State::PluggedIn | State::PluggedOut), 0) => (|n| n.affords(Property::Plug), "with a plug"),
-        (Predicate::State(State::Hot), 0) => (|n| n.is(State::Hot) || n.affords(Property::Graspable), "graspable"),
-        (Predicate::State(State::Cold), 0) => (|n| n.is(State::Cold) || n.affords(Property::Graspable), "graspable"),
-        (Predicate::State(State::Cooked), 0) => (|n| n.affords(Property::Cookable), "cookable"),
-        (Predicate::State(State::Sliced), 0) => (|n| n.affords(Property::Cuttable), "cuttable"),
-        (Predicate::State(State::Folded), 0) => (|n| n.affords(Property::Foldable), "foldable"),
-        _ => any,
+    }
+}
+
+/// The demand of the actions that bring a state about. Things are heated and cooled that can be carried to a machine.
+fn by_action(state: State) -> Option<Demand> {
+    match state {
+        State::Hot | State::Cold => Some(Demand::Graspable),
+        state => state.needs().map(Demand::Affords),
     }
 }

@@ -1,11 +1,12 @@
 //! Finds the obstacles of a goal in a scene.
 
-use vc_graph::goal::{Comparison, Goal, Literal, Predicate, Term};
+use vc_graph::clock::ProcessTable;
+use vc_graph::goal::{Comparison, Goal, Literal, Predicate, Situation, Term};
 use vc_graph::{Node, NodeId, Relation, SceneGraph};
 
-use super::demand::demand;
+use super::demand::{Demand, demand};
 use super::{BroaderClass, HANDS, Lost, Obstacle};
-use crate::attainable::brought_about;
+use crate::attainable::brought_about_by_action;
 use crate::vacuous;
 
 /// The obstacles of a goal; see [`Task::obstacles`](crate::Task::obstacles).
@@ -137,25 +138,48 @@ fn check_literal(part: &Goal, literal: &Literal, number: usize, graph: &SceneGra
     for (position, term) in literal.terms.iter().enumerate() {
         let Term::Class(class) = term else { continue };
         let needs = if Some(position) == counted { number } else { 1 };
-        let (fits, must_be) = demand(literal.predicate, position);
-        require(part, class, needs, graph, found, fits, must_be);
+        let demand = demand(literal.predicate, position);
+        let meets = |node: &Node| demand.is_none_or(|demand| demand.is_met(node, graph));
+        let fits = |node: &Node| meets(node) || holds_of(literal, position, node.id(), graph);
+        require(part, class, needs, graph, found, fits, demand.map_or("", Demand::as_str));
     }
     if found.len() == before {
         found.extend(unattainable(part, literal, number, graph));
     }
 }
 
-/// Whether fewer things than needed are in the state of a literal, and no action brings any other into it.
-fn unattainable(part: &Goal, literal: &Literal, needs: usize, graph: &SceneGraph) -> Option<Obstacle> {
-    let (Predicate::State(state), Some(term)) = (literal.predicate, literal.terms.first()) else { return None };
-    let things = match term {
+/// Whether a literal holds already of an object in one of its positions.
+fn holds_of(literal: &Literal, position: usize, object: NodeId, graph: &SceneGraph) -> bool {
+    let now = Situation { graph, agent: object, events: &[] };
+    let Some(other) = literal.terms.get(1 - position) else {
+        return now.holds(literal.predicate, [Some(object), None]);
+    };
+    let pair = |other: NodeId| if position == 0 { [object, other] } else { [other, object] };
+    things(other, graph).into_iter().any(|other| now.holds(literal.predicate, pair(other).map(Some)))
+}
+
+/// The nodes that a term stands for, whoever the agent is; none for a variable.
+fn things(term: &Term, graph: &SceneGraph) -> Vec<NodeId> {
+    match term {
         Term::Class(class) => graph.of_class(class),
         Term::Node(_, id) => vec![*id],
         Term::Me => graph.agents().to_vec(),
-        Term::Variable(_) | Term::Anything => return None,
-    };
-    let there = things.iter().filter_map(|id| graph.node(*id)).filter(|node| node.is(state)).count();
-    let never = there < needs && !brought_about(literal.predicate);
+        Term::Anything => graph.nodes().map(Node::id).collect(),
+        Term::Variable(_) => Vec::new(),
+    }
+}
+
+/// Whether fewer things than needed are in the state of a literal, and neither an action nor a process brings others
+/// into it.
+fn unattainable(part: &Goal, literal: &Literal, needs: usize, graph: &SceneGraph) -> Option<Obstacle> {
+    let (Predicate::State(state), Some(term)) = (literal.predicate, literal.terms.first()) else { return None };
+    if matches!(term, Term::Variable(_) | Term::Anything) || brought_about_by_action(literal.predicate) {
+        return None;
+    }
+    let is_so = |id: &NodeId| graph.node(*id).is_some_and(|node| node.is(state));
+    let processes = ProcessTable::builtin();
+    let attainable = |id: &NodeId| is_so(id) || processes.brings_into(graph, *id, state);
+    let never = things(term, graph).iter().filter(|id| attainable(id)).count() < needs;
     never.then(|| Obstacle::NoAction { part: part.to_string(), thing: term.to_string(), state })
 }
 

@@ -5,7 +5,7 @@ mod find;
 
 use std::fmt;
 
-use vc_graph::{NameMismatch, State, did_you_mean};
+use vc_graph::{NameMismatch, Relation, State, did_you_mean};
 
 pub(crate) use find::{lost, obstacles};
 
@@ -44,7 +44,7 @@ pub enum Obstacle {
         /// The affordance that they lack.
         must_be: &'static str,
     },
-    /// Too few things are in the state that is asked for, and no action brings others into it.
+    /// Too few things are in the state that is asked for, and neither an action nor a process brings others into it.
     NoAction {
         /// The part of the goal.
         part: String,
@@ -94,7 +94,10 @@ impl fmt::Display for Obstacle {
                 write!(f, "`{part}` needs `{class}` to be {must_be}, which it is not in this scene")
             }
             Self::NoAction { part, thing, state } => {
-                write!(f, "`{part}` needs `{thing}` to be {state}, which it is not here, and no action makes it so")
+                write!(
+                    f,
+                    "`{part}` needs `{thing}` to be {state}, which it is not here, and no action or process makes it so"
+                )
             }
             Self::NameMismatch(mismatch) => mismatch.fmt(f),
             Self::NoSuchNode(label) => write!(f, "there is no `{label}` in this scene"),
@@ -106,7 +109,7 @@ impl fmt::Display for Obstacle {
 }
 
 /// The number of things that an agent can hold at once.
-const HANDS: usize = 2;
+const HANDS: usize = Relation::hands().len();
 
 /// The reason why a goal is lost while an attempt goes on: no action from now on makes it hold.
 ///

@@ -4,7 +4,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::behavior::activities_of_behavior_1k;
-use vc_graph::{Draft, Goal, SceneBuilder};
+use vc_graph::{ClassTable, Condition, Draft, Edge, Goal, NodeId, ObjectRole, Relation, SceneBuilder, SceneGraph};
 use vc_tasks::format::bddl::ActivityDefinition;
 use vc_tasks::lint::{self, FindingKind};
 
@@ -144,7 +144,7 @@ fn of_activity(domain: &str, objects: &str, start: &str, goal: &str) -> Vec<(Fin
 /// Predicates have the right number of arguments, objects do not rest on themselves or in a cycle, and the
 /// domain is known.
 #[test]
-fn predicates_take_so_many_things_and_things_do_not_rest_in_circles() {
+fn predicates_take_so_many_things_and_things_do_not_rest_in_cycles() {
     let in_home = |start, goal| of_activity("omnigibson", "p_1 p_2 p_3 - p", start, goal);
     assert_eq!(in_home("(ontop p_1 p_2)", "(not (ontop ?p_1 ?p_2)) (stained ?p_2)"), []);
     assert_eq!(
@@ -157,21 +157,21 @@ fn predicates_take_so_many_things_and_things_do_not_rest_in_circles() {
         ]
     );
     assert_eq!(in_home("", "(nextto ?p_1 ?p_1)"), [(FindingKind::WithItself, "(nextto ?p_1 ?p_1)".to_owned())]);
-    let circle = |part: &str| (FindingKind::Circle, part.to_owned());
+    let cycle = |part: &str| (FindingKind::Cycle, part.to_owned());
     let start = "(ontop p_3 p_1) (ontop p_1 p_2) (inside p_2 p_1)";
-    assert_eq!(in_home(start, "(stained ?p_1)"), [circle("(ontop p_1 p_2)")]);
-    assert_eq!(in_home("", "(ontop ?p_1 ?p_2) (and (inside ?p_2 ?p_1))"), [circle("(ontop ?p_1 ?p_2)")]);
+    assert_eq!(in_home(start, "(stained ?p_1)"), [cycle("(ontop p_1 p_2)")]);
+    assert_eq!(in_home("", "(ontop ?p_1 ?p_2) (and (inside ?p_2 ?p_1))"), [cycle("(ontop ?p_1 ?p_2)")]);
     assert_eq!(in_home("", "(or (ontop ?p_1 ?p_2) (inside ?p_2 ?p_1))"), []);
     let unknown = of_activity("mydomain", "p_1 - p", "", "(dusty ?p_1)");
     assert_eq!(unknown, [(FindingKind::UnknownDomain, "mydomain; known are omnigibson and igibson".to_owned())]);
 }
 
 #[test]
-fn goals_of_our_own_are_not_of_circles_either() {
+fn goals_of_our_own_are_not_of_cycles_either() {
     assert_eq!(kinds("On(plate.4, plate.4)"), [FindingKind::WithItself]);
     assert_eq!(kinds("exists ?p: plate. On(?p, ?p)"), [FindingKind::WithItself]);
     assert_eq!(kinds("On(plate, plate)"), []);
-    assert_eq!(kinds("On(cup.1, plate.2) & Inside(plate.2, box.3) & On(#3, #1)"), [FindingKind::Circle]);
+    assert_eq!(kinds("On(cup.1, plate.2) & Inside(plate.2, box.3) & On(#3, #1)"), [FindingKind::Cycle]);
     assert_eq!(kinds("On(cup.1, plate.2) | On(plate.2, cup.1)"), []);
     assert_eq!(kinds("Cold(tomato.3) & Dirty(plate.1) & Dry(towel.2)"), []);
 }
@@ -233,9 +233,9 @@ fn unknown_classes_and_goals_that_always_hold_are_found() {
     assert!(kinds("!Clean(floo)").contains(&FindingKind::UnknownClass));
 }
 
-/// A state that no action brings about is an obstacle unless enough things are in it already.
+/// A state that neither an action nor a process brings about is an obstacle unless enough things are in it already.
 #[test]
-fn states_that_no_action_brings_about_are_obstacles() {
+fn states_that_nothing_brings_about_are_obstacles() {
     let mut scene = SceneBuilder::new("flat");
     let kitchen = scene.add(Draft::new("kitchen")).unwrap();
     scene.add_in(kitchen, Draft::new("fridge")).unwrap();
@@ -248,7 +248,7 @@ fn states_that_no_action_brings_about_are_obstacles() {
         task.obstacles(&graph).iter().map(ToString::to_string).collect::<Vec<_>>().join("; ")
     };
     let no = |part: &str, thing: &str, state: &str| {
-        format!("`{part}` needs `{thing}` to be {state}, which it is not here, and no action makes it so")
+        format!("`{part}` needs `{thing}` to be {state}, which it is not here, and no action or process makes it so")
     };
     for (goal, thing, state) in [
         ("Frozen(mug)", "mug", "frozen"),
@@ -266,4 +266,83 @@ fn states_that_no_action_brings_about_are_obstacles() {
     assert!(told("Hot(fridge)").contains("to be graspable") && told("PluggedIn(mug)").contains("with a plug"));
     assert!(told("SittingOn(mug, fridge)").contains("to be a person"));
     assert!(told("WornBy(mug, me)").contains("to be wearable"));
+}
+
+fn obstacles(goal: &str, graph: &SceneGraph) -> String {
+    let task = vc_tasks::Task::new("t", goal.parse().unwrap_or_else(|e| panic!("{goal}: {e}")));
+    task.obstacles(graph).iter().map(ToString::to_string).collect::<Vec<_>>().join("; ")
+}
+
+/// A kitchen with a person and things of some classes on its floor.
+fn kitchen(classes: &[&str]) -> SceneGraph {
+    let mut scene = SceneBuilder::new("flat");
+    let kitchen = scene.add(Draft::new("kitchen")).unwrap();
+    scene.add_in(kitchen, Draft::new("character")).unwrap();
+    for class in classes {
+        scene.add_in(kitchen, Draft::new(*class)).unwrap();
+    }
+    scene.build()
+}
+
+/// Things can be put on and into what the transition rule says, and on and into nothing else.
+#[test]
+fn obstacles_are_those_of_the_rule_for_all_classes() {
+    for class in ClassTable::builtin().iter().filter(|class| class.role() != ObjectRole::Person) {
+        let mut scene = SceneBuilder::from_graph(kitchen(&["apple"]));
+        let id = scene.add(Draft::new(&*class.name)).unwrap();
+        let graph = scene.build();
+        let (me, name) = (graph.agents()[0], &class.name);
+        let met = |need: fn(NodeId) -> Condition| {
+            graph.of_class(name).into_iter().any(|id| need(id).check(&graph, me).is_ok())
+        };
+        for (goal, allowed) in [
+            (format!("On(apple, {name})"), met(Condition::Carries)),
+            (
+                format!("Inside(apple, {name})"),
+                graph.rooms().contains(&id) || met(Condition::Encloses) || met(Condition::Receives),
+            ),
+            (format!("Holds({name})"), met(Condition::Graspable)),
+        ] {
+            assert_eq!(obstacles(&goal, &graph).is_empty(), allowed, "{goal}: {}", obstacles(&goal, &graph));
+        }
+    }
+    let graph = kitchen(&["apple", "bowl", "spoon", "mug", "bookmark", "novel", "stove"]);
+    for goal in ["On(apple, bowl)", "On(spoon, mug)", "On(bookmark, novel)", "On(mug, stove)", "Inside(spoon, mug)"] {
+        assert_eq!(obstacles(goal, &graph), "", "{goal}");
+    }
+    assert!(obstacles("On(mug, apple)", &graph).contains("to be a surface"));
+}
+
+/// A relation that holds already is no obstacle, though nothing could bring it about.
+#[test]
+fn parts_that_hold_already_are_no_obstacles() {
+    let mut scene = SceneBuilder::from_graph(kitchen(&["wall", "painting", "painting", "dresser"]));
+    let graph = scene.graph();
+    let [wall, painting] = ["wall", "painting"].map(|class| graph.of_class(class)[0]);
+    scene.link_all(&[Edge::new(painting, Relation::On, wall)]).unwrap();
+    let graph = scene.build();
+    for goal in ["On(painting, wall)", "Inside(dresser, kitchen)", "On(painting, wall) & Open(dresser)"] {
+        assert_eq!(obstacles(goal, &graph), "", "{goal}");
+    }
+    assert!(obstacles("On(dresser, wall)", &graph).contains("to be graspable"));
+}
+
+/// The machines of a scene bring states about in their time.
+#[test]
+fn states_that_processes_bring_about_are_no_obstacles() {
+    let graph = kitchen(&["freezer", "juice", "wine", "shirt", "washing_machine", "stove", "fridge", "coffee_maker"]);
+    for goal in ["Frozen(juice)", "Wet(shirt)", "Hot(coffee_maker)", "Cold(fridge)", "Frozen(juice) & Wet(shirt)"] {
+        let told = obstacles(goal, &graph);
+        assert_eq!(told.is_empty(), goal != "Cold(fridge)", "{goal}: {told}");
+    }
+    assert!(obstacles("Frozen(wine)", &graph).contains("no action or process"), "a freezer does not freeze it");
+    assert!(obstacles("Frozen(fridge)", &graph).contains("no action or process"));
+    assert!(obstacles("Frozen(juice), 2", &graph).contains("the scene has 1"));
+    assert!(obstacles("Frozen(juice)", &kitchen(&["juice", "fridge"])).contains("no action or process"));
+    assert!(obstacles("Wet(shirt)", &kitchen(&["shirt"])).contains("no action or process"));
+    let kinds =
+        |goal: &str, graph| lint::goal(&goal.parse().unwrap(), graph).iter().map(|f| f.kind).collect::<Vec<_>>();
+    assert_eq!(kinds("Frozen(juice)", None), []);
+    assert_eq!(kinds("Frozen(juice)", Some(&graph)), []);
+    assert_eq!(kinds("Frozen(juice)", Some(&kitchen(&["juice"]))), [FindingKind::Obstacle]);
 }

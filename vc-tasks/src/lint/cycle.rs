@@ -11,7 +11,7 @@ pub(super) fn rests(relation: Relation) -> bool {
 
 /// The index of the first pair in a cycle, among pairs of an object and another that it rests on; `None` if
 /// there is no cycle. An object on itself does not count.
-pub(super) fn first_in_circle<T: Ord + Copy>(pairs: &[(T, T)]) -> Option<usize> {
+pub(super) fn first_in_cycle<T: Ord + Copy>(pairs: &[(T, T)]) -> Option<usize> {
     let grounded = grounded(pairs);
     let floats = |i: &usize| pairs[*i].0 != pairs[*i].1 && !grounded.contains(&pairs[*i].1);
     // In reverse order, so that of several pairs of an object the first one stays in the map.
