@@ -82,7 +82,7 @@ pub enum AimPart {
 ///
 /// The point of a thing is that of its origin as seen from above, which is the middle of the base of generated things;
 /// its height, if stated, is that of the surface below the thing. The heading is that of its X, which points to its
-/// front. Those of an agent are of its feet, and a height says nothing about them.
+/// front. Those of an agent are of its feet, and a height only tells on which storey they are.
 ///
 /// ```
 /// use vc_graph::{Action, AimPart, NodeId, Verb};

@@ -15,6 +15,9 @@ use crate::{
 /// How far a point of a surface may be beside the surface's box, metres: numbers are rounded.
 const BESIDE: f32 = 0.01;
 
+/// Floors whose heights differ by less are on one storey, metres.
+const STOREY: f32 = 1.0;
+
 /// The words of an aim that a verb takes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct AimForm {
@@ -106,7 +109,7 @@ impl AimRule {
     pub fn texts(&self, verb: Verb) -> Vec<String> {
         let things = ["", " THING", " THING PLACE"][verb.arity().min(2)];
         let word = |word: &AimWord| match word {
-            At => " at X Y",
+            At => " at X Y [Z]",
             Yaw => " yaw DEGREES",
             Seat => " seat N",
             Slot => " slot N",
@@ -155,7 +158,7 @@ pub(super) fn refusals(graph: &SceneGraph, agent: NodeId, action: &Action) -> Ve
     let part = aim.part().and_then(|part| of.part(part));
     let turns = action.verb == Verb::TurnTo;
     let rests = graph.node(agent).is_some_and(|body| body.is(State::Sitting) || body.is(State::Lying));
-    point.into_iter().chain(part).chain((turns && rests).then_some(Refusal::NotUpright)).collect()
+    point.into_iter().chain(part).chain((turns && rests).then(|| Refusal::NotUpright(graph.label(agent)))).collect()
 }
 
 struct Judged<'a> {
@@ -204,7 +207,7 @@ impl Judged<'_> {
         };
         let node = self.graph.node(at)?;
         let has = match part {
-            AimPart::Seat(_) => node.slots(SlotKind::Seat).max(1),
+            AimPart::Seat(_) => node.capacity(SlotKind::Seat),
             _ => self.slots(node)?,
         };
         let within = (1..=has).contains(&u32::from(number));
@@ -219,15 +222,33 @@ impl Judged<'_> {
     }
 }
 
-/// The room in whose extent a point is deepest.
+/// The room in whose extent a point is deepest; if its height is stated, of those on the nearest storey.
 pub(super) fn room_at(graph: &SceneGraph, point: &AimPoint) -> Option<NodeId> {
     let plan = point.plan();
-    let depth = |room: NodeId| {
-        let depths = extents(graph, room).into_iter().filter_map(|node| depth(node, &plan));
-        depths.reduce(f32::max).filter(|depth| *depth >= 0.0)
+    let within = |room: NodeId| {
+        let all = extents(graph, room).into_iter().filter_map(|node| Some((depth(node, &plan)?, level(node)?)));
+        all.filter(|(depth, _)| *depth >= 0.0).map(move |(depth, level)| (room, depth, level)).collect::<Vec<_>>()
     };
-    let rooms = graph.rooms().iter().filter_map(|room| Some((depth(*room)?, *room)));
-    rooms.reduce(|best, next| if next.0 > best.0 { next } else { best }).map(|(_, room)| room)
+    let found: Vec<(NodeId, f32, f32)> = graph.rooms().iter().flat_map(|room| within(*room)).collect();
+    let storey = point.height().and_then(|height| nearest(height, found.iter().map(|(.., level)| *level)));
+    let is_on_it = |level: f32| storey.is_none_or(|storey| (level - storey).abs() < STOREY);
+    let here = found.into_iter().filter(|(.., level)| is_on_it(*level));
+    here.reduce(|best, next| if next.1 > best.1 { next } else { best }).map(|(room, ..)| room)
+}
+
+fn nearest(height: f32, levels: impl Iterator<Item = f32>) -> Option<f32> {
+    levels.min_by(|a, b| (a - height).abs().total_cmp(&(b - height).abs()))
+}
+
+/// The height of a room's floor below a point, metres.
+pub(super) fn floor_at(graph: &SceneGraph, room: NodeId, plan: &Point2<f32>) -> Option<f32> {
+    extents(graph, room).into_iter().filter(|node| node.has_in_plan(plan) == Some(true)).find_map(level)
+}
+
+/// The height of the floor of an extent of a room: the top of a floor, or the base of the room itself, metres.
+fn level(extent: &Node) -> Option<f32> {
+    let aabb = extent.aabb()?;
+    Some(if extent.kind() == NodeKind::Room { aabb.min.z } else { aabb.max.z })
 }
 
 /// Whether a point is known to be outside a room.

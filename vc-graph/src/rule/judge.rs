@@ -36,12 +36,12 @@ impl<'a, W: Reason> Judge<'a, W> {
             C::Accessible(t) => self.accessible(t),
             C::Graspable(t) => self.graspable(t),
             C::NotElsewhereHeld(t) => self.not_elsewhere_held(t),
-            C::FreeHand => self.require(graph.free_hand(agent).is_some(), || Refusal::NoFreeHand),
+            C::FreeHand => self.require(graph.free_hand(agent).is_some(), || Refusal::NoFreeHand(self.body.label())),
             C::FreeHandOrHolding(t) => self
-                .require(graph.free_hand(agent).is_some() || self.holds(t), || Refusal::NoFreeHand),
+                .require(graph.free_hand(agent).is_some() || self.holds(t), || Refusal::NoFreeHand(self.body.label())),
             C::Holding(t) => self.require(self.holds(t), || Refusal::NotHeld(graph.label(t))),
             C::HoldingSomething => {
-                self.require(graph.held(agent).next().is_some(), || Refusal::EmptyHands)
+                self.require(graph.held(agent).next().is_some(), || Refusal::EmptyHands(self.body.label()))
             }
             C::HoldingKind(p) => self.holds_tool(p),
             C::Carries(t) => {
@@ -54,11 +54,11 @@ impl<'a, W: Reason> Judge<'a, W> {
             C::Accepts(t) => self.require(!self.node(t)?.hides_contents(), || Refusal::Shut(graph.label(t))),
             C::Fits(t, at) => self.fits(t, at),
             C::OriginNear(t) => self.origin_near(t),
-            C::Upright => self.require(!self.at_rest(), || Refusal::NotUpright),
+            C::Upright => self.require(!self.at_rest(), || Refusal::NotUpright(self.body.label())),
             C::UprightOrNear(t) => {
-                self.require(!self.at_rest() || graph.near(agent, t), || Refusal::NotUpright)
+                self.require(!self.at_rest() || graph.near(agent, t), || Refusal::NotUpright(self.body.label()))
             }
-            C::AtRest => self.require(self.at_rest(), || Refusal::NotAtRest),
+            C::AtRest => self.require(self.at_rest(), || Refusal::NotAtRest(self.body.label())),
             C::NotSitting => self.not_yet(State::Sitting),
             C::NotLying => self.not_yet(State::Lying),
             C::SeatFree(t) => self.free_place(t, Relation::SittingOn, SlotKind::Seat),

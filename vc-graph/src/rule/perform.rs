@@ -4,7 +4,7 @@ use nalgebra::{Isometry3, Point3, Translation3, UnitQuaternion, Vector3};
 
 use crate::node::NodeKind;
 use crate::portable::Portable;
-use crate::rule::aim::room_at;
+use crate::rule::aim::{floor_at, room_at};
 use crate::rule::check::{origin, vehicle_of};
 use crate::rule::effect::Effect;
 use crate::{Aim, Edge, Edit, EditError, NodeId, Place, Pose, Property, Relation, SceneGraph, State};
@@ -76,6 +76,9 @@ fn stand_as(edit: &mut Edit<'_>, agent: NodeId, aim: &Aim) -> Result<(), EditErr
     let Some(mut pose) = edit.graph().node(agent).and_then(|n| n.pose()).copied() else { return Ok(()) };
     if let Some(point) = aim.point() {
         (pose.translation.x, pose.translation.y) = (point.plan().x, point.plan().y);
+        let floor = edit.graph().room_of(agent).and_then(|room| floor_at(edit.graph(), room, &point.plan()));
+        // Without a height the agent stays on its storey.
+        pose.translation.z = point.height().and(floor).unwrap_or(pose.translation.z);
     }
     pose.rotation = aim.heading().map_or(pose.rotation, |heading| heading.rotation());
     edit.carry_to(agent, pose)

@@ -30,7 +30,7 @@ pub enum Refusal {
         given: usize,
     },
     /// The verb takes no such aim.
-    #[error("`{verb}` {}, not `{given}`", takes_aims(.takes))]
+    #[error("`{verb}` takes {}", aims_taken(.takes, .given))]
     Aim {
         /// The verb.
         verb: Verb,
@@ -58,7 +58,7 @@ pub enum Refusal {
         distance: f32,
     },
     /// The point is not within reach.
-    #[error("the point {point} is {distance:.1} m away: walk there first, as in `walk at {point}`")]
+    #[error("the point {point} is {distance:.1} m away: walk closer first")]
     PointOutOfReach {
         /// The point.
         point: AimPoint,
@@ -120,15 +120,15 @@ pub enum Refusal {
         /// The container.
         inside: Label,
     },
-    /// Both hands are full.
-    #[error("no free hand: both hold something")]
-    NoFreeHand,
+    /// Both hands of the agent are full.
+    #[error("{0} has no free hand: put something down first")]
+    NoFreeHand(Label),
     /// The agent does not hold the object.
     #[error("{0} is not in hand")]
     NotHeld(Label),
     /// The agent's hands are empty.
-    #[error("nothing is in hand")]
-    EmptyHands,
+    #[error("{0} holds nothing: take something first")]
+    EmptyHands(Label),
     /// The agent holds nothing with the property.
     #[error("nothing in hand is a {0}")]
     NoTool(Property),
@@ -173,11 +173,11 @@ pub enum Refusal {
         why: &'static str,
     },
     /// The agent sits or lies.
-    #[error("one must stand up first")]
-    NotUpright,
+    #[error("{0} must stand up first")]
+    NotUpright(Label),
     /// The agent neither sits nor lies.
-    #[error("one neither sits nor lies")]
-    NotAtRest,
+    #[error("{0} neither sits nor lies: sit or lie down first")]
+    NotAtRest(Label),
     /// The agent has that posture already.
     #[error("one is {0} already")]
     PostureAlready(State),
@@ -223,8 +223,11 @@ pub enum Refusal {
     Edit(#[from] EditError),
 }
 
-fn takes_aims(takes: &[String]) -> String {
-    if takes.is_empty() { "takes no point, heading or part".into() } else { format!("takes `{}`", takes.join("`, `")) }
+fn aims_taken(takes: &[String], given: &str) -> String {
+    match takes {
+        [] => format!("no point, heading, seat, slot or side: leave `{given}` out"),
+        takes => format!("`{}`, not `{given}`", takes.join("`, `")),
+    }
 }
 
 fn far(distance: Option<f32>) -> String {

@@ -226,8 +226,9 @@ fn verbs_take_their_aims() {
     }
     let told = rule::refusals(&home.graph, home.me, &home.action("sit sofa yaw 90"));
     assert_eq!(told[0].to_string(), "`sit` takes `sit THING seat N`, not `yaw 90`");
+    assert!(Verb::Walk.rule().aims.texts(Verb::Walk).contains(&"walk at X Y [Z] yaw DEGREES".to_owned()));
     let told = rule::refusals(&home.graph, home.me, &home.action("eat cup at 1 2"));
-    assert_eq!(told[0].to_string(), "`eat` takes no point, heading or part, not `at 1.00 2.00`");
+    assert_eq!(told[0].to_string(), "`eat` takes no point, heading, seat, slot or side: leave `at 1.00 2.00` out");
 }
 
 #[test]
@@ -251,6 +252,33 @@ fn one_goes_to_a_point_and_turns() {
     home.is_at(home.me, (3.5, 3.5), 90.0);
     let all = rule::effects(&home.action("point_at at 1 1"));
     assert!(matches!(all[..], [Effect::TurnAs(_)]));
+}
+
+/// A stated height says on which of two floors, one above the other, somebody goes.
+#[test]
+fn one_goes_to_a_storey() {
+    let mut scene = SceneBuilder::new("posed");
+    let mut room = |class: &str, z: f32, side: f32| {
+        let room = scene.add(Draft::new(class)).unwrap();
+        let slab = Bounds::standing([side, side, 0.2].into());
+        scene.add_in(room, Draft::new("floor").bounds(slab).at(Pose::translation(2.0, 2.0, z - 0.2))).unwrap();
+        room
+    };
+    let (kitchen, attic) = (room("kitchen", 0.0, 4.0), room("bedroom", 2.7, 8.0));
+    let me = scene.add_in(kitchen, Draft::new("character").at(Pose::translation(2.0, 2.0, 0.0))).unwrap();
+    let mut graph = scene.build();
+    for (text, room, level) in [
+        ("walk at 1 1 0", kitchen, 0.0),
+        ("walk at 1 1 2.7", attic, 2.7),
+        ("walk at 1 2 0.9", kitchen, 0.0),
+        ("walk at 1 1 4", attic, 2.7),
+        ("walk at 2 2", attic, 2.7),
+    ] {
+        rule::step(&mut graph, me, &text.parse().unwrap()).unwrap_or_else(|why| panic!("{text}: {why:?}"));
+        let height = graph.node(me).unwrap().position().unwrap().z;
+        assert_eq!(graph.room_of(me), Some(room), "{text}");
+        assert!((height - level).abs() < 1e-4, "{text}: {height}");
+    }
 }
 
 #[test]
@@ -278,10 +306,7 @@ fn points_that_cannot_be_are_refused() {
     home.done("walk at 3.4 2");
     assert!(home.refused("place cup table at 1 2").contains("not near"), "the table is far away");
     home.done("walk at 2.3 1");
-    assert_eq!(
-        home.refused("place cup table at 1 2.7"),
-        "the point 1.00 2.70 is 2.1 m away: walk there first, as in `walk at 1.00 2.70`"
-    );
+    assert_eq!(home.refused("place cup table at 1 2.7"), "the point 1.00 2.70 is 2.1 m away: walk closer first");
     assert_eq!(home.refused("drop cup at 4.5 2"), "the point 4.50 2.00 is not on or in kitchen.1");
     assert_eq!(home.refused("walk at 9 9"), "the point 9.00 9.00 is in no room of the scene");
     assert_eq!(home.refused("walk table at 3.6 2"), "the point 3.60 2.00 is too far from kitchen_table.3: 2.2 m");
@@ -290,8 +315,8 @@ fn points_that_cannot_be_are_refused() {
     assert_eq!(home.refused("sit sofa seat 4"), "sofa.5 has 3 seats, numbered from 1: there is no seat 4");
     assert_eq!(home.refused("sit sofa seat 0"), "sofa.5 has 3 seats, numbered from 1: there is no seat 0");
     home.done("sit sofa seat 2");
-    assert_eq!(home.refused("turn_to yaw 10"), "one must stand up first");
-    assert_eq!(home.refused("walk at 5 1"), "one must stand up first");
+    assert_eq!(home.refused("turn_to yaw 10"), "character.6 must stand up first");
+    assert_eq!(home.refused("walk at 5 1"), "character.6 must stand up first");
 }
 
 /// Without poses a point for a thing changes nothing, and nobody goes to one.

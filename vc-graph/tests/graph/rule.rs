@@ -111,9 +111,9 @@ const DONE: &[(&str, &str)] = &[
 
 /// Actions performed before, an action that is then impossible, and the reason.
 const REFUSED: &[(&str, &str, &str)] = &[
-    ("walk chair, sit chair", "walk cup", "one must stand up first"),
-    ("walk single_bed, lie single_bed", "run cup", "one must stand up first"),
-    ("walk chair, sit chair", "find book", "one must stand up first"),
+    ("walk chair, sit chair", "walk cup", "character must stand up first"),
+    ("walk single_bed, lie single_bed", "run cup", "character must stand up first"),
+    ("walk chair, sit chair", "find book", "character must stand up first"),
     ("", "look_at book", "one does not face book; turn to it first"),
     ("turn_to cup", "point_at book", "one does not face book; turn to it first"),
     ("turn_to television", "watch television", "television is in living_room, another room"),
@@ -133,9 +133,9 @@ const REFUSED: &[(&str, &str, &str)] = &[
     ("walk chair, other walk chair, other sit chair", "sit chair", "all 1 places on chair are taken"),
     ("walk sofa, sit sofa", "sit sofa", "one is sitting already"),
     ("", "lie single_bed", "not near: single_bed is too far away"),
-    ("", "stand", "one neither sits nor lies"),
-    ("", "sleep", "one neither sits nor lies"),
-    ("", "wake_up", "one neither sits nor lies"),
+    ("", "stand", "character neither sits nor lies"),
+    ("", "sleep", "character neither sits nor lies"),
+    ("", "wake_up", "character neither sits nor lies"),
     ("walk cup", "eat cup", "cup is not eatable"),
     ("walk fridge, open fridge", "drink milk", "milk is not in hand"),
     ("walk fridge", "touch milk", "milk is inside fridge, which is closed"),
@@ -143,7 +143,7 @@ const REFUSED: &[(&str, &str, &str)] = &[
     ("walk kitchen", "wash kitchen", "kitchen is a room"),
     ("walk kitchen", "push kitchen", "kitchen is a room"),
     ("walk book", "read book", "book is not in hand"),
-    ("walk plate", "wipe plate", "nothing is in hand"),
+    ("walk plate", "wipe plate", "character holds nothing: take something first"),
     ("", "wash plate", "not near: plate is too far away"),
     ("", "rinse plate", "not near: plate is too far away"),
     ("", "scrub plate", "not near: plate is too far away"),
@@ -165,7 +165,7 @@ const REFUSED: &[(&str, &str, &str)] = &[
     ("walk fridge", "enter fridge", "fridge is not drivable"),
     ("", "leave", "one is not in any vehicle"),
     ("walk car, enter car", "drive car street", "car is not on"),
-    ("walk chair, sit chair", "dance", "one must stand up first"),
+    ("walk chair, sit chair", "dance", "character must stand up first"),
     ("walk cup, grab cup, walk stove, place cup stove", "heat cup", "cup is not on or in anything hot"),
     ("walk apple", "cool apple", "apple is not in anything that cools and runs"),
     ("walk plate", "dry plate", "nothing in hand is a wiper"),
@@ -221,7 +221,7 @@ fn all_reasons_are_given_at_once() {
     let why = plain(&flat.step("grab apple").unwrap_err());
     assert_eq!(
         why,
-        "apple is inside fridge, which is closed; no free hand: both hold something; not near: apple is too far away"
+        "apple is inside fridge, which is closed; character has no free hand: put something down first; not near: apple is too far away"
     );
 }
 

@@ -80,7 +80,7 @@ fn a_cooler_cools_what_is_inside_it() {
 #[test]
 fn cutting_needs_a_knife_and_a_hand() {
     let mut flat = Flat::after(&["walk kitchen_table", "grab knife", "grab cup"]);
-    assert_eq!(plain(&flat.step("cut bread").unwrap_err()), "no free hand: both hold something");
+    assert_eq!(plain(&flat.step("cut bread").unwrap_err()), "character has no free hand: put something down first");
     flat.all(&["place cup kitchen_table", "cut bread"]);
     assert!(flat.is("bread", State::Sliced));
 }

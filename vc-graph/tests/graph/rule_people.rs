@@ -14,8 +14,8 @@ fn why(flat: &mut Flat, action: &str) -> String {
 fn two_hands_hold_two_things() {
     let mut flat = Flat::after(&["walk kitchen_table", "grab cup", "grab knife"]);
     assert!(flat.has("me", Relation::HoldsRight, "cup") && flat.has("me", Relation::HoldsLeft, "knife"));
-    assert_eq!(why(&mut flat, "grab plate"), "no free hand: both hold something");
-    assert_eq!(why(&mut flat, "grab tray"), "no free hand: both hold something");
+    assert_eq!(why(&mut flat, "grab plate"), "character has no free hand: put something down first");
+    assert_eq!(why(&mut flat, "grab tray"), "character has no free hand: put something down first");
     flat.all(&["place cup tray", "grab plate"]);
     assert!(flat.has("me", Relation::HoldsRight, "plate") && flat.has("cup", Relation::On, "tray"));
 }
@@ -109,7 +109,7 @@ fn a_car_takes_all_in_it_along() {
         Flat::after(&["walk workbench", "grab hammer", "walk car", "open car", "put_in hammer car", "close car"]);
     flat.all(&["other walk car", "other enter car", "switch_on car", "enter car"]);
     assert!(flat.has("me", Relation::Inside, "car") && flat.is("me", State::Sitting));
-    assert_eq!(why(&mut flat, "walk street"), "one must stand up first");
+    assert_eq!(why(&mut flat, "walk street"), "character must stand up first");
     flat.all(&["drive car street"]);
     let street = flat.id("street");
     for thing in ["car", "me", "other", "hammer"] {

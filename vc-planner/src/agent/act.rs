@@ -43,7 +43,7 @@ impl Agent {
         for _ in 0..6 {
             let Some(refusal) = self.refusals(&action).into_iter().next() else { return Some(action) };
             action = match refusal {
-                Refusal::NotUpright => Action::zero(Verb::Stand),
+                Refusal::NotUpright(_) => Action::zero(Verb::Stand),
                 Refusal::NotNear { thing, .. } => {
                     // A thing that the belief has in one room, inside something in another room, is not near
                     // the latter.
@@ -52,7 +52,7 @@ impl Agent {
                 }
                 Refusal::Hidden { inside, .. } => Action::one(Verb::Open, inside.id),
                 Refusal::Shut(container) => Action::one(Verb::Open, container.id),
-                Refusal::NoFreeHand => self.put_down()?,
+                Refusal::NoFreeHand(_) => self.put_down()?,
                 Refusal::InState(thing, State::On) => Action::one(Verb::SwitchOff, thing.id),
                 _ => return None,
             };

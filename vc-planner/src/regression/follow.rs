@@ -51,7 +51,7 @@ impl Regression<'_> {
             let refusals = rule::refusals(self.graph, self.agent, action);
             let remedy = match refusals.first() {
                 None => return self.step(action),
-                Some(Refusal::NotUpright) => Action::zero(Verb::Stand),
+                Some(Refusal::NotUpright(_)) => Action::zero(Verb::Stand),
                 Some(Refusal::NotNear { thing, .. }) => Action::one(Verb::Walk, thing.id),
                 Some(_) => return false,
             };

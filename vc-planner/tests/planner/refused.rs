@@ -35,7 +35,7 @@ impl World for Clumsy {
         if self.cannot.contains(action) {
             self.failures += 1;
             return Err(match self.forbids {
-                true => WorldError::Refused(vec![vc_graph::Refusal::NoFreeHand]),
+                true => WorldError::Refused(vec![vc_graph::Refusal::NoFreeHand(self.world.graph().label(agent))]),
                 false => WorldError::Failed("no room".into()),
             });
         }
@@ -155,7 +155,7 @@ impl World for Moody {
         let done = if refuses {
             let by_rule = self.stream.below(2) == 0;
             Err(if by_rule {
-                WorldError::Refused(vec![Refusal::NoFreeHand])
+                WorldError::Refused(vec![Refusal::NoFreeHand(self.world.graph().label(agent))])
             } else {
                 WorldError::Failed("slipped".into())
             })

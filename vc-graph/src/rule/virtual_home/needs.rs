@@ -35,7 +35,7 @@ impl View<'_> {
     /// Checks the preconditions of an action; the error is the first that is not met.
     pub(super) fn needs(self, action: &Action, memory: &Memory) -> Judged {
         match (action.verb, action.object, action.target) {
-            (Verb::Stand | Verb::Sleep | Verb::WakeUp, ..) => require(self.at_rest(), || Refusal::NotAtRest),
+            (Verb::Stand | Verb::Sleep | Verb::WakeUp, ..) => require(self.at_rest(), || Refusal::NotAtRest(self.me())),
             (verb @ (Verb::Place | Verb::PutIn | Verb::Pour), Some(x), Some(y)) => self.needs_of_two(verb, x, y),
             (verb, Some(x), None) => self.needs_of_one(verb, x, memory),
             (verb, ..) => Err(Refusal::NotInVirtualHome(verb)),
@@ -71,7 +71,9 @@ impl View<'_> {
             }
             Verb::Read => self.of_kind(x, &[Readable]).and_then(|()| self.held_by_agent(x)),
             Verb::Touch => self.close(x).and_then(|()| self.in_the_open(x)),
-            Verb::Wipe => self.close(x).and_then(|()| require(!self.held().is_empty(), || Refusal::EmptyHands)),
+            Verb::Wipe => {
+                self.close(x).and_then(|()| require(!self.held().is_empty(), || Refusal::EmptyHands(self.me())))
+            }
             Verb::Wash | Verb::Rinse | Verb::Scrub => self.close(x),
             Verb::Cut => self.cuttable(x),
             Verb::Wear => self.held_by_agent(x).and_then(|()| self.of_kind(x, &[Wearable])),
@@ -99,6 +101,10 @@ impl View<'_> {
                 self.close(y)
             }
         }
+    }
+
+    fn me(self) -> Label {
+        self.label(self.agent)
     }
 
     fn label(self, id: NodeId) -> Label {
@@ -129,7 +135,7 @@ impl View<'_> {
     }
 
     fn hand_free(self) -> Judged {
-        require(self.free_hand().is_some(), || Refusal::NoFreeHand)
+        require(self.free_hand().is_some(), || Refusal::NoFreeHand(self.me()))
     }
 
     fn held_by_agent(self, x: NodeId) -> Judged {
@@ -150,7 +156,7 @@ impl View<'_> {
 
     fn walkable(self, x: NodeId) -> Judged {
         self.in_some_room(x)?;
-        require(!self.at_rest(), || Refusal::NotUpright)?;
+        require(!self.at_rest(), || Refusal::NotUpright(self.me()))?;
         self.in_some_room(self.agent)
     }
 
