@@ -5,6 +5,7 @@ use crate::vocabulary::{Set, vocabulary};
 vocabulary! {
     /// An affordance or property of an object. The first twenty-three are
     /// VirtualHome's; [`Property::virtualhome`] gives their original names.
+    #[non_exhaustive]
     Property, "property" {
         /// Objects can be put on it.
         Surface = "surface",

@@ -8,6 +8,7 @@ vocabulary! {
     ///
     /// [`Relation::places`] lists the relations that give an object's support or container; an object that is
     /// moved loses all of them and gets new ones.
+    #[non_exhaustive]
     Relation, "relation" {
         /// `from` is supported by `to`.
         On = "on",

@@ -5,6 +5,7 @@ use crate::vocabulary::{Set, vocabulary};
 
 vocabulary! {
     /// A state of an object or agent. Opposites exclude each other, see [`State::opposites`].
+    #[non_exhaustive]
     State, "state" {
         /// Its door, lid or cover is open.
         Open = "open",

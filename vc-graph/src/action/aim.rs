@@ -20,6 +20,7 @@ vocabulary! {
     /// | `seat` | the number of a place to sit, counted from 1 |
     /// | `slot` | the number of a shelf, drawer, rack or burner, counted from 1 |
     /// | `by` | a [`Side`] |
+    #[non_exhaustive]
     AimWord, "word of an aim" {
         /// A point.
         At = "at",
@@ -65,6 +66,7 @@ impl Side {
 
 /// A part of a thing that an action names.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[non_exhaustive]
 pub enum AimPart {
     /// A place to sit, counted from 1 in the order of `PhysicsWorld::seats`.
     Seat(u16),

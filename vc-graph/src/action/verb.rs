@@ -13,6 +13,7 @@ vocabulary! {
     /// assert!(Verb::parse("juggle").is_err());
     /// # Ok::<(), vc_graph::UnknownWord>(())
     /// ```
+    #[non_exhaustive]
     Verb, "verb" {
         /// Go to a room or an object, visible or not: the rule knows where everything is.
         Walk = "walk",

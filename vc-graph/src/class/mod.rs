@@ -16,6 +16,7 @@ pub use parse::{ClassError, ClassProblem};
 
 vocabulary! {
     /// The category of a class.
+    #[non_exhaustive]
     Category, "category" {
         /// A room or outdoor region.
         Room = "room",
@@ -71,6 +72,7 @@ vocabulary! {
     /// assert!(stove.slots.iter().any(|slot| slot.kind == SlotKind::Burner && slot.number == 4));
     /// # Ok::<(), &str>(())
     /// ```
+    #[non_exhaustive]
     SlotKind, "slot" {
         /// A shelf board.
         Shelf = "shelf",
