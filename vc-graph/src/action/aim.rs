@@ -66,7 +66,7 @@ impl Side {
 /// A part of a thing that an action names.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum AimPart {
-    /// A place to sit, counted from 1 in the order of `PhysicsWorld::seats`.
+    /// A place to sit, counted from 1 in the order of `BodyView::seats`.
     Seat(u16),
     /// One of the level surfaces in or on a thing, counted from 1 in the order of its asset.
     Slot(u16),
