@@ -89,8 +89,8 @@ fn active(group: &mut Group<'_>, settled: &PhysicsWorld, things: &[NodeId], obje
                 for step in 0..120 {
                     if step % 10 == 0 {
                         for &id in things {
-                            let up = world.velocity(id).unwrap() + Vector3::z() * 0.4;
-                            let spin = world.angular_velocity(id).unwrap();
+                            let up = world.body(id).unwrap().velocity() + Vector3::z() * 0.4;
+                            let spin = world.body(id).unwrap().angular_velocity();
                             world.set_velocity(id, up, spin).unwrap();
                         }
                     }

@@ -555,7 +555,7 @@
 //!     }
 //!     // This tick as it is seen, the door half open; nothing that is done to it changes the home.
 //!     let moment = home.moment();
-//!     let open = moment.world().openness(fridge);
+//!     let open = moment.world().parts(fridge).openness();
 //!     println!("{}: open {:?}, {} things in it", moment.tick(), open, moment.graph().relating(Relation::Inside, fridge).count());
 //! }
 //! # Ok::<(), Box<dyn std::error::Error>>(())

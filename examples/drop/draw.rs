@@ -35,7 +35,7 @@ pub(crate) fn picture(graph: &SceneGraph, world: &PhysicsWorld, trails: &[(NodeI
         for (i, part) in asset.parts.iter().enumerate() {
             let mesh = meshes.entry((id, i)).or_insert_with(|| part.shape.mesh(0.003));
             // Every asset in this scene has at most one moving part.
-            let moved = part.joint.and_then(|_| world.part_pose(node.id(), 0)).unwrap_or(pose);
+            let moved = part.joint.and_then(|_| world.parts(node.id()).pose(0)).unwrap_or(pose);
             let colour = graph.assets().material(part.material).map_or([0.5; 3], |m| m.colour);
             canvas.mesh(mesh, &(moved * part.pose), colour, 1.0);
         }

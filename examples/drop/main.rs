@@ -76,7 +76,7 @@ fn record(world: &PhysicsWorld, graph: &SceneGraph, lines: &mut String, trails: 
         let (t, q) = (pose.translation.vector, pose.rotation.coords);
         serde_json::json!({ "id": graph.label(id).to_string(), "position": [t.x, t.y, t.z], "rotation": [q.x, q.y, q.z, q.w] })
     };
-    let awake = world.poses().into_iter().filter(|(id, _)| !world.is_asleep(*id));
+    let awake = world.poses().into_iter().filter(|(id, _)| world.body(*id).is_ok_and(|body| !body.is_asleep()));
     let line = serde_json::json!({ "time": world.time(), "moving": awake.map(pose).collect::<Vec<_>>() });
     // Writing to a string cannot fail.
     let _ = writeln!(lines, "{line}");
@@ -100,7 +100,7 @@ fn report(world: &PhysicsWorld, graph: &SceneGraph, cast: &Cast, settling: &Sett
     for (on, count) in rests.iter().take(8) {
         let _ = writeln!(text, "  {count:4}  {on}");
     }
-    let open = |id: NodeId| world.openness(id).unwrap_or(0.0) * 100.0;
+    let open = |id: NodeId| world.parts(id).openness().unwrap_or(0.0) * 100.0;
     let height = |id: NodeId| world.pose(id).map_or(f32::NAN, |p| p.translation.z);
     let _ = writeln!(text, "\n{}: {:.0} % open", name(cast.door), open(cast.door));
     let _ = writeln!(text, "{}: {:.0} % open", name(cast.chest), open(cast.chest));

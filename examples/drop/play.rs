@@ -1,10 +1,10 @@
 //! The schedule of events.
 
 use nalgebra::{Point2, Point3};
-use virtualcity::graph::Aabb;
+use virtualcity::graph::{Aabb, Pose};
 use virtualcity::physics::{
-    AgentError, BodyPlan, Floor, FloorOptions, Hand, PhysicsError, PhysicsWorld, SpotOrder, VehicleControls,
-    VehiclePlan, WalkState,
+    AgentError, BodyPlan, Floor, FloorOptions, Hand, PhysicsError, PhysicsWorld, SpotOrder, SpotSearch,
+    VehicleControls, VehiclePlan, WalkState,
 };
 
 use crate::stage::{Cast, WATER};
@@ -20,7 +20,7 @@ const BRAKE: f32 = 3.6;
 pub(crate) fn prepare(world: &mut PhysicsWorld, cast: &Cast) -> Result<(), PhysicsError> {
     let pool = Aabb { min: Point3::new(4.1, 1.1, 0.0), max: Point3::new(7.0, 3.9, WATER) };
     world.add_water(&pool)?;
-    let mass = world.mass(cast.car).unwrap_or(1000.0);
+    let mass = world.body(cast.car)?.mass();
     world.add_vehicle(cast.car, &VehiclePlan::car(mass, 2.5, 1.5, 0.32, 0.32))
 }
 
@@ -36,7 +36,7 @@ pub(crate) fn act(world: &mut PhysicsWorld, cast: &Cast, step: u32) -> Result<()
     if step > 180 && world.pose(cast.car).is_some_and(|p| p.translation.x > BRAKE) {
         world.steer(cast.car, VehicleControls { brake: 1.0, ..VehicleControls::default() })?;
     }
-    if step > 300 && world.walk(cast.person)? != WalkState::Walking {
+    if step > 300 && world.agent(cast.person)?.walk() != WalkState::Walking {
         clear_away(world, cast)?;
     }
     Ok(())
@@ -61,7 +61,7 @@ fn go_to_the_mug(world: &mut PhysicsWorld, cast: &Cast) -> Result<(), AgentError
 fn clear_away(world: &mut PhysicsWorld, cast: &Cast) -> Result<(), AgentError> {
     if world.held(cast.person, Hand::Right).is_none() {
         let on_the_shelf = world.supports(cast.mug).contains(&cast.shelf);
-        let in_reach = world.in_reach(cast.person)?.iter().any(|(id, _)| *id == cast.mug);
+        let in_reach = world.agent(cast.person)?.in_reach().iter().any(|(id, _)| *id == cast.mug);
         if in_reach && !on_the_shelf {
             world.grab(cast.person, Hand::Right, cast.mug)?;
             let floor = Floor::new(world, FloorOptions::default());
@@ -71,11 +71,13 @@ fn clear_away(world: &mut PhysicsWorld, cast: &Cast) -> Result<(), AgentError> {
         }
         return Ok(());
     }
-    for surface in [3, 2, 1, 0] {
-        let near = world.pose(cast.person).map_or_else(Point3::origin, |p| p.translation.vector.into());
-        let spot = world.free_spot(cast.mug, cast.shelf, surface, 0.0, SpotOrder::Near(near))?;
-        if spot.is_some_and(|spot| world.put(cast.person, Hand::Right, spot).is_ok()) {
-            return Ok(());
+    let feet = world.pose(cast.person).unwrap_or_else(Pose::identity);
+    let (there, reach) = (world.standing(cast.person, &feet)?, BodyPlan::default().reach);
+    let in_reach = |spot: &Pose| there.put_distance(cast.mug, spot).is_ok_and(|distance| distance <= reach);
+    for inside in [false, true] {
+        let search = SpotSearch::new(cast.mug, cast.shelf, inside).order(SpotOrder::Near(feet * Point3::origin()));
+        if let Some(spot) = search.find_where(world, in_reach)? {
+            return world.put(cast.person, Hand::Right, spot).map(drop);
         }
     }
     Ok(())

@@ -27,7 +27,7 @@ pub(crate) fn through(scene: &mut SceneGraph) -> Result<Walk, Complaint> {
     let mut edit = scene.edit();
     for door in &first.doors {
         edit.enter_state(*door, State::Open).map_err(Complaint::new)?;
-        world.put_all_open(*door, 1.0).map_err(Complaint::new)?;
+        world.put_open(*door, None, 1.0).map_err(Complaint::new)?;
     }
     edit.commit();
     let around = RADII.map(|radius| FloorOptions { radius, doors: DoorHandling::AsTheyAre, ..FloorOptions::default() });

@@ -134,7 +134,7 @@ impl Game {
         if self.home.posture(self.me) != Some(Posture::Standing) {
             return;
         }
-        let plan = self.home.world().body_plan(self.me).map_or((1.2, 3.0), |p| (p.walk, p.run));
+        let plan = self.home.world().agent(self.me).map_or((1.2, 3.0), |me| (me.plan().walk, me.plan().run));
         let speed = if hands.runs { plan.1 } else { plan.0 };
         let (sin, cos) = self.heading.sin_cos();
         let way = Vector2::new(cos * hands.ahead - sin * hands.left, sin * hands.ahead + cos * hands.left);

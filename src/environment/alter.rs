@@ -123,7 +123,7 @@ impl Environment {
     /// rest. The history is kept, and other things stay as they are: [`reset`](Self::reset) with an edited graph
     /// begins anew instead.
     ///
-    /// `PhysicsWorld::insert`, `PhysicsWorld::free_spot_at`, `PhysicsWorld::step`, `Relations::rebuild`. Costs some
+    /// `PhysicsWorld::insert`, `SpotSearch`, `PhysicsWorld::step`, `Relations::rebuild`. Costs some
     /// milliseconds.
     ///
     /// ```
@@ -173,7 +173,7 @@ impl Environment {
     /// Puts a thing at a place at once, together with its load: on or in something, or on the floor of a room.
     /// A thing that hung or was held in place is taken down. The history is kept, and other things stay as they are.
     ///
-    /// `PhysicsWorld::free_spot_at`, `PhysicsWorld::place`, `PhysicsWorld::step`, `Relations::update_with`. Costs a
+    /// `SpotSearch`, `PhysicsWorld::place`, `PhysicsWorld::step`, `Relations::update_with`. Costs a
     /// millisecond or two.
     ///
     /// # Errors
@@ -266,8 +266,9 @@ impl Environment {
     /// Opens a door, or moves what stands open, where an agent is to stand.
     fn make_way(&mut self, agent: NodeId, point: &Point2<f32>) -> Result<(), AlterError> {
         for (id, part, open) in self.gives_way(agent, point).unwrap_or_default() {
-            self.world.put_open(id, part, open).map_err(|e| self.impossible(e))?;
-            if self.world.open_state(id) == Some(State::Open) && !self.graph.node(id).is_some_and(|n| n.is(State::Open))
+            self.world.put_open(id, Some(part), open).map_err(|e| self.impossible(e))?;
+            if self.world.parts(id).state() == Some(State::Open)
+                && !self.graph.node(id).is_some_and(|n| n.is(State::Open))
             {
                 rule::carry_out(&mut self.graph, agent, &Effect::Enter(id, State::Open))?;
             }
@@ -391,7 +392,7 @@ impl Environment {
 
     fn stands_at(&self, agent: NodeId, at: &Point2<f32>) -> bool {
         let feet = Pose::translation(at.x, at.y, self.floor.options().level);
-        self.floor.is_free(*at) && self.world.can_stand(agent, &feet).is_ok_and(|free| free)
+        self.floor.is_free(*at) && self.world.standing(agent, &feet).is_ok_and(|there| there.is_free())
     }
 }
 

@@ -3,7 +3,7 @@
 
 use nalgebra::{Point2, Point3, Vector3};
 use vc_graph::{Change, ChangeSet, Node, NodeId, NodeKind, Place, Pose, Relation, SceneBuilder, SceneGraph};
-use vc_physics::{BodyRole, Floor, PhysicsWorld, Posture, SpotOrder};
+use vc_physics::{BodyRole, Floor, PhysicsWorld, Posture, SpotOrder, SpotSearch};
 
 use super::make::{RINGS, Spaced, around};
 use super::settle::come_to_rest;
@@ -110,7 +110,7 @@ fn put_back(
 fn spot(world: &PhysicsWorld, graph: &SceneGraph, id: NodeId, order: SpotOrder) -> Result<Option<Pose>, MakeError> {
     let there = |place: &Place| world.aabb(place.at).is_some();
     let Some(place) = graph.place(id).filter(there) else { return Ok(None) };
-    Ok(world.free_spot_at(id, place.at, place.relation == Relation::Inside, order)?)
+    Ok(SpotSearch::new(id, place.at, place.relation == Relation::Inside).order(order).find(world)?)
 }
 
 /// Things that lie deeper than the scene has them, or outside.
@@ -158,7 +158,7 @@ pub(super) fn fell_out(world: &PhysicsWorld, changes: &ChangeSet) -> Option<Node
     });
     let free = |id: &NodeId| matches!(world.role(*id), Some(BodyRole::Loose | BodyRole::Hung | BodyRole::Stopped));
     let free: Vec<NodeId> = moved.filter(free).collect();
-    world.outside_among(&free).first().copied()
+    free.into_iter().find(|id| world.body(*id).is_ok_and(|body| body.is_outside()))
 }
 
 /// Puts agents that the scene has where no floor is, in walls or furniture, or several in one place, to the nearest
@@ -169,10 +169,10 @@ pub(super) fn stand_on_floor(world: &mut PhysicsWorld, graph: &SceneGraph, floor
         let standing = world.posture(agent) == Some(Posture::Standing);
         let Some(feet) = world.pose(agent).filter(|_| standing) else { continue };
         let own = Point2::from(feet.translation.vector.xy());
-        let on_floor = !world.is_off_floor(agent);
+        let on_floor = !world.agent(agent).is_ok_and(|agent| agent.is_off_floor());
         let together = taken.has_within(&own, TOGETHER);
         // Others in the same place are no furniture.
-        if on_floor && !together && !world.is_stuck(agent) {
+        if on_floor && !together && !world.agent(agent).is_ok_and(|agent| agent.is_stuck()) {
             taken.take(own);
             continue;
         }

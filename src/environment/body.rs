@@ -45,14 +45,14 @@ const PALM: f32 = 0.012;
 /// Where the palm is on a thing, in the body's frame: at the point of its shapes that is nearest to a point beside it.
 fn grip(world: &PhysicsWorld, feet: &Pose, hand: Hand, id: NodeId) -> Option<Point3<f32>> {
     let beside = beside(world, feet, hand, id)?;
-    let touched = feet.inverse_transform_point(&world.nearest_point(id, feet * beside)?);
+    let touched = feet.inverse_transform_point(&world.body(id).ok()?.nearest_point(feet * beside)?);
     let out = (beside - touched).try_normalize(1e-4).unwrap_or_else(Vector3::zeros);
     Some(touched + out * PALM)
 }
 
 /// A point at the outer side of a thing, or before a wide one, in the body's frame.
 fn beside(world: &PhysicsWorld, feet: &Pose, hand: Hand, id: NodeId) -> Option<Point3<f32>> {
-    let (low, high) = world.local_bounds(id)?;
+    let (low, high) = world.body(id).ok()?.local_bounds();
     let side = if hand == Hand::Right { -1.0 } else { 1.0 };
     let own = feet.inverse() * world.pose(id)?;
     let (centre, half) = (own * nalgebra::center(&low, &high), (high - low) / 2.0);
@@ -82,7 +82,7 @@ mod tests {
         let off = BodySide::BOTH.into_iter().zip(Hand::BOTH).filter_map(|(side, hand)| {
             let held = home.world().held(agent, hand)?;
             let own = feet * (skeleton.motion(Bone::Hand(side)) * palm(side));
-            Some((own - home.world().nearest_point(held, own)?).norm())
+            Some((own - home.world().body(held).ok()?.nearest_point(own)?).norm())
         });
         off.fold(0.0, f32::max)
     }

@@ -168,8 +168,8 @@ pub(super) fn hold_as(start: &Start, world: &mut PhysicsWorld, graph: &SceneGrap
 
 fn pin(world: &mut PhysicsWorld, graph: &SceneGraph, id: NodeId) -> Result<(), PhysicsError> {
     match graph.place(id).filter(|p| p.at != id && world.aabb(p.at).is_some()) {
-        Some(place) => world.pin_to(id, place.at),
-        None => world.pin(id),
+        Some(place) => world.pin(id, Some(place.at)),
+        None => world.pin(id, None),
     }
 }
 
@@ -315,7 +315,7 @@ pub(super) fn unmoved_at(graph: &SceneGraph, world: &PhysicsWorld, id: NodeId, m
         Some(Posture::Standing) => return None,
         None => {}
     }
-    let open = !moved.contains(&id) && world.moving_parts(id).iter().any(|part| part.position != 0.0);
+    let open = !moved.contains(&id) && world.parts(id).all().iter().any(|part| part.position != 0.0);
     let places = places(graph, id);
     (open && !places.is_empty() && places.iter().all(rests)).then_some(places)
 }
@@ -339,7 +339,7 @@ fn lies_as(before: &PhysicsWorld, now: &PhysicsWorld, id: NodeId, at: NodeId) ->
 
 /// The poses of a thing and of its moving parts; a room has the identity.
 fn frames(world: &PhysicsWorld, at: NodeId) -> Vec<Pose> {
-    let parts = (0..world.moving_parts(at).len()).filter_map(|part| world.part_pose(at, part));
+    let parts = (0..world.parts(at).all().len()).filter_map(|part| world.parts(at).pose(part));
     std::iter::once(world.pose(at).unwrap_or_else(Pose::identity)).chain(parts).collect()
 }
 

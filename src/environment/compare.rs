@@ -134,7 +134,7 @@ impl Outcome<'_> {
     }
 
     fn open(&self, id: NodeId) -> Option<Difference> {
-        let shown = self.world.open_state(id)?;
+        let shown = self.world.parts(id).state()?;
         let node = self.ruled.node(id)?;
         let said = [State::Open, State::Closed].into_iter().find(|s| node.is(*s))?;
         (said != shown).then(|| self.difference(id, |_| said.to_string(), |_| shown.to_string()))

@@ -55,5 +55,5 @@ pub(crate) fn position(graph: &SceneGraph, world: &PhysicsWorld, id: NodeId, joi
         }
     }
     let index = joints.iter().position(|own| *own == joint)?;
-    world.moving_parts(id).get(index).map(|part| part.position)
+    world.parts(id).all().get(index).map(|part| part.position)
 }

@@ -42,7 +42,7 @@ impl Environment {
     /// somewhere in the room and let the container shut again, and each thing has to be reachable while the container it
     /// goes into stands open.
     ///
-    /// Uses `PhysicsWorld::set_openness`, `PhysicsWorld::free_spot_at` and `PhysicsWorld::place` on a copy of the
+    /// Uses `PhysicsWorld::set_openness`, `SpotSearch` and `PhysicsWorld::place` on a copy of the
     /// bodies. Costs a millisecond, and some more for each thing.
     ///
     /// # Errors
@@ -68,7 +68,7 @@ impl Environment {
         let inside = place.relation == Relation::Inside;
         let step = self.unchanged(agent, Action::two(if inside { Verb::PutIn } else { Verb::Place }, id, place.at));
         let is_shut = self.graph.node(place.at).is_some_and(|n| n.is(State::Closed));
-        if inside && is_shut && !world.set_openness(place.at, 1.0).ok()? {
+        if inside && is_shut && !world.set_openness(place.at, 1.0, &[]).ok()? {
             return None;
         }
         floor.update(world);

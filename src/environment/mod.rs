@@ -70,10 +70,10 @@ const WAIST: f32 = 0.9;
 /// | endpoint | made of |
 /// |---|---|
 /// | [`make`](Self::make) | `Apartment::from_seed`, `PhysicsWorld::build`, `PhysicsWorld::step`, `PhysicsWorld::put_to_sleep`, `Floor::new`, `PhysicsWorld::add_agent`, `Relations::new`, `Relations::write` |
-/// | [`reset`](Self::reset) | `PhysicsWorld::reset`, `PhysicsWorld::free_spot_at`, `PhysicsWorld::lower`, `PhysicsWorld::step`, `PhysicsWorld::put_to_sleep`, `Relations::update_with` |
+/// | [`reset`](Self::reset) | `PhysicsWorld::reset`, `SpotSearch`, `PhysicsWorld::lower`, `PhysicsWorld::step`, `PhysicsWorld::put_to_sleep`, `Relations::update_with` |
 /// | [`observation`](Self::observation) | `SceneGraph::observe` |
 /// | [`render`](Self::render) | `Renderer::snapshot`, `Snapshot::place`, `Renderer::light`, `Renderer::follow`, `Renderer::render` |
-/// | [`set_action`](Self::set_action) | `rule::step`, then `Floor::standing_pose`, `PhysicsWorld::grab_with_load`, `PhysicsWorld::free_spot_at`, `PhysicsWorld::put`, `PhysicsWorld::drive` ..., then `Relations::update_with` |
+/// | [`set_action`](Self::set_action) | `rule::step`, then `Floor::standing_pose`, `PhysicsWorld::grab_with_load`, `SpotSearch`, `PhysicsWorld::put`, `PhysicsWorld::drive` ..., then `Relations::update_with` |
 ///
 /// Before one acts: [`legal_actions`](Self::legal_actions), [`objects`](Self::objects),
 /// [`occupancy`](Self::occupancy). To arrange a home: [`spawn`](Self::spawn), [`put`](Self::put),
@@ -93,7 +93,7 @@ const WAIST: f32 = 0.9;
 /// let fridge = home.graph().of_class("fridge")[0];
 /// home.set_action(me, format!("walk fridge.{}", fridge.0).parse()?)?;
 /// home.set_action(me, format!("open fridge.{}", fridge.0).parse()?)?;
-/// assert!(home.world().openness(fridge) > Some(0.9));
+/// assert!(home.world().parts(fridge).openness() > Some(0.9));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone)]

@@ -32,7 +32,7 @@ pub(super) fn evidence(world: &PhysicsWorld) -> Evidence {
     let carried = world.nodes().into_iter().filter(|id| world.role(*id) == Some(BodyRole::Carried));
     let mut evidence = Evidence::default().carrying(carried);
     for id in world.nodes() {
-        for (joint, part) in (0..).zip(world.moving_parts(id)) {
+        for (joint, part) in (0..).zip(world.parts(id).all()) {
             if part.position != 0.0 {
                 evidence.positions.insert((id, joint), part.position);
             }

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use nalgebra::Point3;
 use vc_graph::{EditError, History, Label, Node, NodeId, NodeKind, Place, Pose, Property, Relation, SceneGraph, State};
-use vc_physics::{BodyRole, Floor, PhysicsError, PhysicsWorld, SpotOrder};
+use vc_physics::{BodyRole, Floor, PhysicsError, PhysicsWorld, SpotOrder, SpotSearch};
 use vc_relations::Relations;
 
 use super::clock::Clock;
@@ -124,7 +124,7 @@ impl Environment {
     /// It starts from the bodies as they were made, at rest, and moves only what differs
     /// (`PhysicsWorld::reset`); a thing that the graph has where it is now stays there. New things, and things with a new pose
     /// on or in something else than at the start, keep their pose if it is free and something is right below;
-    /// otherwise they get the free spot nearest to it (`PhysicsWorld::free_spot_at`), and if there
+    /// otherwise they get the free spot nearest to it (`SpotSearch`), and if there
     /// is none, they are left out and reported. What hovers by less than two centimetres is let
     /// down (`PhysicsWorld::lower`). Then all comes to rest (`PhysicsWorld::step`, `PhysicsWorld::put_to_sleep`)
     /// and is observed (`Relations::update_with`).
@@ -232,12 +232,12 @@ impl Environment {
         let free = |id: &&NodeId| world.role(**id).is_some_and(|role| role != BodyRole::Carried);
         let standing: Vec<NodeId> = standing.iter().filter(free).copied().collect();
         for &id in &standing {
-            if world.open_state(id) != self.world.open_state(id) {
+            if world.parts(id).state() != self.world.parts(id).state() {
                 continue;
             }
-            for (part, now) in self.world.moving_parts(id).iter().enumerate() {
-                if world.moving_parts(id).get(part).is_some_and(|p| p.position != now.position) {
-                    world.put_open(id, part, now.open)?;
+            for (part, now) in self.world.parts(id).all().iter().enumerate() {
+                if world.parts(id).all().get(part).is_some_and(|p| p.position != now.position) {
+                    world.put_open(id, Some(part), now.open)?;
                 }
             }
         }
@@ -372,7 +372,7 @@ impl Plan {
     fn in_open_things(&self, world: &PhysicsWorld, graph: &SceneGraph) -> Vec<NodeId> {
         let open = |id: &NodeId| {
             let inside = graph.place(*id).filter(|p| p.relation == Relation::Inside);
-            inside.is_some_and(|p| world.open_state(p.at) == Some(State::Open)) && !self.unposed.contains(id)
+            inside.is_some_and(|p| world.parts(p.at).state() == Some(State::Open)) && !self.unposed.contains(id)
         };
         self.report.moved.iter().copied().filter(open).collect()
     }
@@ -488,10 +488,10 @@ pub(super) fn settle_place(
     let inside = place.relation == Relation::Inside;
     // Furniture on a floor stands in no door's way where that can be.
     let is_furniture = !inside && graph.node(id).is_some_and(|n| !n.affords(Property::Graspable));
-    let leaves_free = |spot: &Pose| !is_furniture || world.leaves_openings_free(id, spot).unwrap_or(true);
-    let mut spot = world.free_spot_where(id, place.at, inside, order, leaves_free)?;
+    let leaves_free = |spot: &Pose| !is_furniture || world.body(id).is_ok_and(|thing| thing.leaves_openings_free(spot));
+    let mut spot = SpotSearch::new(id, place.at, inside).order(order).find_where(world, leaves_free)?;
     if spot.is_none() && is_furniture {
-        spot = world.free_spot_at(id, place.at, inside, order)?;
+        spot = SpotSearch::new(id, place.at, inside).order(order).find(world)?;
     }
     let Some(spot) = spot else {
         return Ok(Err(no_spot(world, graph, id, place)));

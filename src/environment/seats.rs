@@ -27,7 +27,7 @@ pub(super) fn take(world: &mut PhysicsWorld, graph: &mut SceneGraph) -> Result<V
             _ => {}
         }
         let seated = seat.is_some() && world.posture(agent) != Some(Posture::Standing);
-        if let Some(stood) = world.stood_before(agent).filter(|_| !seated) {
+        if let Some(stood) = world.agent(agent).ok().and_then(|agent| agent.stood_before()).filter(|_| !seated) {
             // It is there, and its pose is sound.
             let _ = world.teleport(agent, stood);
         }
@@ -38,7 +38,8 @@ pub(super) fn take(world: &mut PhysicsWorld, graph: &mut SceneGraph) -> Result<V
 /// Notes for those who sit or lie from where a way leads on. Those for whom there is no such spot stand; they are
 /// returned.
 pub(super) fn leave_ways(world: &mut PhysicsWorld, graph: &SceneGraph, floor: &Floor) -> Vec<NodeId> {
-    let seated: Vec<NodeId> = world.agents().filter(|a| world.stood_before(*a).is_some()).collect();
+    let seated: Vec<NodeId> =
+        world.agents().filter(|a| world.agent(*a).ok().and_then(|agent| agent.stood_before()).is_some()).collect();
     let base = if seated.is_empty() { None } else { make::base(graph, floor) };
     let leads_on = |feet: &Pose| {
         let at = Point2::from(feet.translation.vector.xy());
@@ -50,7 +51,7 @@ pub(super) fn leave_ways(world: &mut PhysicsWorld, graph: &SceneGraph, floor: &F
         let mut below = world.pose(agent).unwrap_or_else(Pose::identity);
         below.translation.z = floor.options().level;
         drop(world.set_stood_before(agent, below));
-        match world.exit_where(agent, leads_on) {
+        match world.agent(agent).and_then(|agent| agent.exit_where(leads_on)) {
             Ok(exit) => drop(world.set_stood_before(agent, exit)),
             Err(_) => without.push(agent),
         }
@@ -106,10 +107,12 @@ fn is_at(posture: Posture, seat: Place) -> bool {
 }
 
 fn settle(world: &mut PhysicsWorld, agent: NodeId, seat: Place) -> Result<(), AgentError> {
-    if let Some(feet) = world.pose(agent).filter(|_| world.stood_before(agent).is_some()) {
+    if let Some(feet) =
+        world.pose(agent).filter(|_| world.agent(agent).ok().and_then(|agent| agent.stood_before()).is_some())
+    {
         world.teleport(agent, feet)?;
     }
-    if seat.relation == Relation::SittingOn { world.sit(agent, seat.at) } else { world.lie(agent, seat.at) }
+    if seat.relation == Relation::SittingOn { world.sit(agent, seat.at, None) } else { world.lie(agent, seat.at) }
 }
 
 /// Writes a seat and the posture into the graph, if it does not say both.

@@ -82,7 +82,7 @@ pub(super) fn take_along(
     carrier: NodeId,
 ) -> Result<(), PhysicsError> {
     world.place(id, pose)?;
-    if world.role(id) == Some(BodyRole::Hung) { world.pin_to(id, carrier) } else { Ok(()) }
+    if world.role(id) == Some(BodyRole::Hung) { world.pin(id, Some(carrier)) } else { Ok(()) }
 }
 
 pub(super) fn set_pose(graph: &mut SceneGraph, id: NodeId, pose: Pose) -> Result<(), EditError> {
@@ -104,7 +104,8 @@ pub(super) fn move_agents(
         let Some(place) = place(known, graph, agent) else { continue };
         let room = graph.room_of(place.at).filter(|_| place.relation == Relation::InRoom);
         let feet = |p: &Point2<f32>| Pose::translation(p.x, p.y, floor.options().level);
-        let stands = |p: &Point2<f32>| floor.is_free(*p) && world.can_stand(agent, &feet(p)).is_ok_and(|free| free);
+        let stands =
+            |p: &Point2<f32>| floor.is_free(*p) && world.standing(agent, &feet(p)).is_ok_and(|there| there.is_free());
         let free = |room: NodeId| move |p: &Point2<f32>| start.room_at(*p) == Some(room) && stands(p);
         let spot = room.and_then(|room| Some((room, feet(&alter::spot_in(graph, floor, room, free(room))?))));
         let Some((room, feet)) = spot else {

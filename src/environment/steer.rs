@@ -25,7 +25,7 @@ impl Environment {
     ///
     /// This serves a person at a keyboard, or a policy for locomotion. It is not an action: the transition rule
     /// is not asked, and the history does not record it. It uses `PhysicsWorld::go`, `PhysicsWorld::jump`,
-    /// `PhysicsWorld::step`, `PhysicsWorld::face` and `Relations::update_with`.
+    /// `PhysicsWorld::step`, `PhysicsWorld::turn` and `Relations::update_with`.
     ///
     /// # Errors
     /// [`ActionError::Impossible`] if there is no such agent, it does not stand, or a number is not finite; in
@@ -65,7 +65,9 @@ impl Environment {
         let (sin, cos) = steering.heading.sine_cosine();
         if let Some(feet) = self.world.pose(agent) {
             let ahead = Point3::from(feet.translation.vector + Vector3::new(cos, sin, 0.0));
-            self.world.face(agent, ahead).map_err(|e| impossible(e.into()))?;
+            let turned = self.world.agent(agent).and_then(|agent| agent.turned_to(ahead));
+            let turned = turned.map_err(|e| impossible(e.into()))?;
+            self.world.turn(agent, turned.rotation).map_err(|e| impossible(e.into()))?;
         }
         self.world.go(agent, Vector2::zeros()).map_err(|e| impossible(e.into()))?;
         let seen = observe::look_again(&mut self.graph, &self.start, &self.world, &mut self.relations, &[]);

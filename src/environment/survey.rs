@@ -4,7 +4,7 @@
 use nalgebra::Point2;
 use vc_graph::format::objects::{ListedObject, objects, seen};
 use vc_graph::{Action, Anthropometry, NodeId, Pose, rule};
-use vc_physics::{Occupancy, PartsToMoveAside};
+use vc_physics::{Occupancy, PartsToMoveAside, ShutDoors};
 
 use super::{ActionError, Environment};
 
@@ -102,9 +102,9 @@ impl Environment {
     /// and how far each would then be open; empty if the agent stands free there. `None` if it cannot stand there.
     pub(super) fn gives_way(&self, agent: NodeId, at: &Point2<f32>) -> Option<PartsToMoveAside> {
         let feet = Pose::translation(at.x, at.y, self.floor.options().level);
-        if self.world.can_stand(agent, &feet).ok()? {
+        if self.world.standing(agent, &feet).ok()?.is_free() {
             return Some(PartsToMoveAside::new());
         }
-        self.world.doors_to_move_aside(agent, &feet).ok().flatten()
+        self.world.standing(agent, &feet).ok()?.parts_to_move_aside(ShutDoors::Open)
     }
 }

@@ -98,7 +98,7 @@ fn ends_as_shown(home: &mut Environment, verb: Verb, things: &[NodeId]) {
         if was.get(id).is_some_and(|was| far(was, pose) > 0.1) {
             assert_eq!(places(last, *id), places(end, *id), "{verb:?}: {label}");
         }
-        let open = |e: &Environment| e.world().moving_parts(*id).iter().map(|p| p.open).collect::<Vec<f32>>();
+        let open = |e: &Environment| e.world().parts(*id).all().iter().map(|p| p.open).collect::<Vec<f32>>();
         let off = open(last).iter().zip(open(end)).map(|(a, b)| (a - b).abs()).fold(0.0, f32::max);
         assert!(off < 0.02, "{verb:?}: a part of {label} is {off} of its way off");
         assert_eq!(last.graph().node(*id).unwrap().states(), end.graph().node(*id).unwrap().states(), "{label}");
@@ -110,7 +110,7 @@ fn ends_as_shown(home: &mut Environment, verb: Verb, things: &[NodeId]) {
 #[test]
 fn shows_end_as_actions_do() {
     let (mut home, me) = home(42);
-    let moves = |home: &Environment, id: NodeId| !home.world().moving_parts(id).is_empty();
+    let moves = |home: &Environment, id: NodeId| !home.world().parts(id).all().is_empty();
     let kept = |home: &Environment, at: NodeId| {
         home.graph().relating(Relation::Inside, at).find(|id| is_loose(home, *id) && home.graph().node(*id).is_some())
     };
@@ -138,7 +138,7 @@ fn walks_push_nothing_and_doors_swing() {
         let (mut home, me) = home(seed);
         let doors: Vec<NodeId> = home.graph().of_class("door").to_vec();
         for room in home.graph().rooms().to_vec() {
-            let open = |home: &Environment, id: NodeId| home.world().openness(id).unwrap_or(0.0);
+            let open = |home: &Environment, id: NodeId| home.world().parts(id).openness().unwrap_or(0.0);
             let before = poses(&home);
             let was: Vec<f32> = doors.iter().map(|id| open(&home, *id)).collect();
             let mut widest = was.clone();
@@ -260,7 +260,7 @@ fn one_pours_and_fills() {
     let near = nearest(&mut home, Verb::Pour, &[drink, vessel], drink, above);
     assert!(near < 0.3, "{near} m above the vessel");
     assert!(home.graph().node(vessel).unwrap().contents().is_some());
-    assert!(home.world().level(vessel) > 0.5);
+    assert!(home.world().body(vessel).unwrap().level() > 0.5);
     assert_eq!(home.world().held(me, Hand::Right), Some(drink));
 }
 

@@ -293,8 +293,8 @@ fn one_sits_on_the_seat_asked_for() {
     let mut home = home(42, 2);
     let (me, other) = (home.agents()[0], home.agents()[1]);
     let sofas = home.graph().nodes().filter(|n| n.affords(Property::Sittable)).map(Node::id).collect::<Vec<_>>();
-    let sofa = sofas.into_iter().find(|id| home.world().seats(*id).len() > 1).unwrap();
-    let (seats, label) = (home.world().seats(sofa), home.graph().label(sofa));
+    let sofa = sofas.into_iter().find(|id| home.world().body(*id).unwrap().seats().len() > 1).unwrap();
+    let (seats, label) = (home.world().body(sofa).unwrap().seats(), home.graph().label(sofa));
     for agent in [me, other] {
         act(&mut home, agent, Verb::Walk, &[sofa]);
     }
@@ -331,13 +331,13 @@ fn things_are_taken_by_a_side() {
             continue;
         }
         let middle = |home: &Environment| {
-            let (low, high) = home.world().local_bounds(thing).unwrap();
+            let (low, high) = home.world().body(thing).unwrap().local_bounds();
             let feet = home.world().pose(me).unwrap();
             feet.inverse_transform_point(&(home.world().pose(thing).unwrap() * nalgebra::center(&low, &high)))
         };
         for side in [Side::Front, Side::Back, Side::Left, Side::Right, Side::Top] {
             let (mut plain, mut by_side) = (there.clone(), there.clone());
-            let (at, out) = there.world().side_of(thing, side).unwrap();
+            let (at, out) = there.world().body(thing).unwrap().side(side);
             let half = (at - there.world().aabb(thing).unwrap().centre()).norm();
             match tried(&mut by_side, me, Action::grab(thing).by_side(side)) {
                 Ok(()) if plain.set_action(me, Action::grab(thing)).is_ok() => {
@@ -366,7 +366,7 @@ fn things_are_put_into_slots() {
     let me = home.agents()[0];
     let thing = take_any(&mut home, me);
     let inner = |home: &Environment, id: NodeId| {
-        let all = home.world().support_surfaces(id);
+        let all = home.world().body(id).unwrap().support_surfaces();
         all.into_iter().filter(|s| s.hold == virtualcity::graph::asset::Hold::Inside).collect::<Vec<_>>()
     };
     let shelved = |n: &&Node| n.affords(Property::Container) && inner(&home, n.id()).len() > 2;

@@ -40,12 +40,12 @@ fn furniture_stands_before_no_door() {
         let mut world = home.world().clone();
         let pose = world.pose(chair).unwrap();
         // Some kitchens have no such spot.
-        if !world.leaves_openings_free(chair, &pose).unwrap() {
+        if !world.body(chair).unwrap().leaves_openings_free(&pose) {
             continue;
         }
         stood += 1;
         for id in world.nodes().into_iter().filter(|id| home.graph().room_of(*id) == Some(room)) {
-            if id != chair && world.put_all_open(id, 1.0).is_ok() && !world.moving_parts(id).is_empty() {
+            if id != chair && world.put_open(id, None, 1.0).is_ok() && !world.parts(id).all().is_empty() {
                 opened += 1;
                 let met = world.overlaps(chair, &pose).unwrap();
                 assert!(!met.contains(&id), "{} opens into it", home.graph().label(id));

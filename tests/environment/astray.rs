@@ -220,7 +220,7 @@ fn agents_in_the_void_or_in_one_place_are_put_apart() {
         edit.commit();
         let report = home.reset(&graph).unwrap();
         assert!(report.elsewhere.iter().any(|e| e.thing.id == agents[0]), "{:?}", report.elsewhere);
-        assert!(!home.world().is_off_floor(agents[0]));
+        assert!(!home.world().agent(agents[0]).is_ok_and(|agent| agent.is_off_floor()));
         let room = home.graph().room_of(agents[0]).unwrap();
         home.set_action(agents[0], Action::one(Verb::Walk, room)).unwrap();
     }

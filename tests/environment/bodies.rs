@@ -115,7 +115,7 @@ fn contacts_of_bodies_tell_relations_what_rests_where() {
     let share = |by| relations.supports(plank).iter().find(|s| s.by == by).unwrap().share;
     assert!(share(left) > 0.3 && share(right) > share(left), "{:?}", relations.supports(plank));
     // The wall pushes the ladder, but not up.
-    assert!(world.contacts_of(ladder).iter().any(|c| (c.a, c.b) == (wall, ladder) && c.impulse > 0.0));
+    assert!(world.body(ladder).unwrap().contacts().iter().any(|c| (c.a, c.b) == (wall, ladder) && c.impulse > 0.0));
     let leans = relations.between(ladder, wall);
     assert!(leans.contains(&Relation::Touching) && !leans.contains(&Relation::On), "{leans:?}");
 }
@@ -129,19 +129,19 @@ fn plans_of_openness_come_true_in_homes() {
         world.settle(300);
         let past: Vec<NodeId> = graph.agents().to_vec();
         let before = world.digest();
-        for id in world.nodes().into_iter().filter(|id| !world.moving_parts(*id).is_empty()).collect::<Vec<_>>() {
+        for id in world.nodes().into_iter().filter(|id| !world.parts(*id).all().is_empty()).collect::<Vec<_>>() {
             let mut copy = world.clone();
             for open in [1.0, 0.3, 0.0] {
-                let plan = copy.plan_openness(id, open, &past).unwrap();
-                let did = copy.set_openness_ignoring(id, open, &past).unwrap();
+                let plan = copy.parts(id).plan(open, &past).unwrap();
+                let did = copy.set_openness(id, open, &past).unwrap();
                 assert_eq!(plan.is_some(), did, "{} of {}, {open}", graph.label(id), graph.name());
-                let now = copy.moving_parts(id);
+                let now = copy.parts(id).all();
                 let far = |(plan, part): (&f32, &MovingPart)| (plan - part.open).abs();
                 let most = plan.iter().flatten().zip(&now).map(far).fold(0.0, f32::max);
                 assert!(most < 1e-3, "{} of {}, {open}: {plan:?}, {now:?}", graph.label(id), graph.name());
                 (opened, stuck) = (opened + usize::from(did), stuck + usize::from(!did));
             }
-            assert_eq!(world.plan_openness(id, 1.0, &past).map(drop), Ok(()));
+            assert_eq!(world.parts(id).plan(1.0, &past).map(drop), Ok(()));
         }
         assert_eq!(world.digest(), before);
     }

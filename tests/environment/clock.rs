@@ -174,7 +174,7 @@ fn a_seat_is_taken_once() {
     let mut home = home(42, 2);
     let (a, b) = (home.agents()[0], home.agents()[1]);
     let chair = both_near(&mut home, |home, id| {
-        home.graph().node(id).unwrap().affords(Property::Sittable) && home.world().seats(id).len() == 1
+        home.graph().node(id).unwrap().affords(Property::Sittable) && home.world().body(id).unwrap().seats().len() == 1
     })
     .unwrap();
     let sit = Action::one(Verb::Sit, chair);
@@ -313,7 +313,8 @@ fn fetched(home: &mut Environment, agent: NodeId) -> Option<NodeId> {
 /// A seat for one, and the agents near it.
 fn seat(home: &mut Environment) -> Option<NodeId> {
     both_near(home, |home, id| {
-        home.graph().node(id).is_some_and(|n| n.affords(Property::Sittable)) && home.world().seats(id).len() == 1
+        home.graph().node(id).is_some_and(|n| n.affords(Property::Sittable))
+            && home.world().body(id).unwrap().seats().len() == 1
     })
 }
 

@@ -49,7 +49,7 @@ fn laundry_is_folded_into_the_drum() {
     let shirts: Vec<NodeId> = shirts.into_iter().filter(|id| home.can_get_at(agent, *id)).take(2).collect();
     assert_eq!(shirts.len(), 2);
     for &shirt in &shirts {
-        let mass = home.world().mass(shirt).unwrap();
+        let mass = home.world().body(shirt).unwrap().mass();
         if let Some(around) = home.graph().hidden_in(shirt) {
             act(&mut home, agent, Verb::Walk, &[around]);
             act(&mut home, agent, Verb::Open, &[around]);
@@ -63,7 +63,7 @@ fn laundry_is_folded_into_the_drum() {
         let before = home.digest();
         act(&mut home, agent, Verb::PutIn, &[shirt, machine]);
         assert_ne!(home.digest(), before);
-        assert!((home.world().mass(shirt).unwrap() - mass).abs() < 1e-4, "it weighs what it weighed");
+        assert!((home.world().body(shirt).unwrap().mass() - mass).abs() < 1e-4, "it weighs what it weighed");
     }
     let (graph, drum) = (home.graph(), home.world().aabb(machine).unwrap());
     for &shirt in &shirts {
@@ -162,9 +162,9 @@ fn a_book_opens_in_the_hand() {
     act(&mut home, agent, Verb::Walk, &[book]);
     act(&mut home, agent, Verb::Grab, &[book]);
     act(&mut home, agent, Verb::Open, &[book]);
-    assert!(home.world().openness(book) > Some(0.9));
+    assert!(home.world().parts(book).openness() > Some(0.9));
     act(&mut home, agent, Verb::Close, &[book]);
-    assert_eq!(home.world().openness(book), Some(0.0));
+    assert_eq!(home.world().parts(book).openness(), Some(0.0));
 }
 
 /// Fetches a thing out of what it is in, to another.

@@ -48,7 +48,7 @@ fn refusals_change_nothing() {
 /// An object inside a container that opens, both in one home.
 pub(crate) fn kept_thing(home: &Environment) -> Option<(NodeId, NodeId)> {
     let graph = home.graph();
-    let moves = |id: NodeId| !home.world().moving_parts(id).is_empty();
+    let moves = |id: NodeId| !home.world().parts(id).all().is_empty();
     let small = |id: &NodeId| home.world().role(*id) == Some(BodyRole::Loose);
     let inside = |at: NodeId| graph.relating(Relation::Inside, at).find(small).map(|id| (id, at));
     graph.nodes().filter(|n| n.hides_contents() && moves(n.id())).find_map(|n| inside(n.id()))
@@ -63,20 +63,20 @@ fn a_thing_is_fetched_and_put_on_a_table() {
     let (thing, cupboard) = kept_thing(&home).unwrap();
     act(&mut home, me, Verb::Walk, &[cupboard]);
     act(&mut home, me, Verb::Open, &[cupboard]);
-    assert!(home.world().openness(cupboard).unwrap() > 0.3);
+    assert!(home.world().parts(cupboard).openness().unwrap() > 0.3);
     act(&mut home, me, Verb::Grab, &[thing]);
     assert_eq!(home.world().held(me, Hand::Right), Some(thing));
     let (body, held) = (home.world().pose(me).unwrap(), home.world().aabb(thing).unwrap().centre());
     let local = body.inverse_transform_point(&held);
     assert!(local.x > 0.2 && local.x < 0.8 && local.z > 0.7, "{local:?}");
     act(&mut home, me, Verb::Close, &[cupboard]);
-    assert_eq!(home.world().open_state(cupboard), Some(State::Closed));
+    assert_eq!(home.world().parts(cupboard).state(), Some(State::Closed));
     let table = ["kitchen_table", "dining_table", "coffee_table", "desk"];
     let table = table.iter().find_map(|c| home.graph().of_class(c).first().copied()).unwrap();
     act(&mut home, me, Verb::Walk, &[table]);
     act(&mut home, me, Verb::Place, &[thing, table]);
     assert!(home.graph().places(thing).any(|p| p == Place { relation: Relation::On, at: table }));
-    assert!(home.world().supports(thing).contains(&table) && home.world().is_asleep(thing));
+    assert!(home.world().supports(thing).contains(&table) && home.world().body(thing).unwrap().is_asleep());
     assert_eq!(home.history().events().len(), 6);
     // Back to the start.
     let start = home.start().clone();

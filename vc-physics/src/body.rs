@@ -74,9 +74,9 @@ impl PhysicsWorld {
     /// # let home = vc_testkit::kitchen::kitchen();
     /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
     /// world.settle(300);
-    /// let middle = world.centre_of_mass(home.cup).ok_or("no body")?;
+    /// let middle = world.body(home.cup)?.centre_of_mass();
     /// world.push(home.cup, nalgebra::Vector3::new(0.06, 0.0, 0.0), middle)?;
-    /// assert!(world.velocity(home.cup).is_some_and(|v| (v.x - 0.2).abs() < 1e-3)); // 0.06 Ns on 0.3 kg.
+    /// assert!((world.body(home.cup)?.velocity().x - 0.2).abs() < 1e-3); // 0.06 Ns on 0.3 kg.
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn push(&mut self, id: NodeId, impulse: Vector3<f32>, at: Point3<f32>) -> Result<(), PhysicsError> {
@@ -100,7 +100,7 @@ impl PhysicsWorld {
     /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
     /// use nalgebra::Vector3;
     /// world.set_velocity(home.cup, Vector3::new(0.0, 0.0, 1.0), Vector3::zeros())?;
-    /// assert_eq!(world.velocity(home.cup), Some(Vector3::new(0.0, 0.0, 1.0)));
+    /// assert_eq!(world.body(home.cup)?.velocity(), Vector3::new(0.0, 0.0, 1.0));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn set_velocity(&mut self, id: NodeId, linear: Vector3<f32>, spin: Vector3<f32>) -> Result<(), PhysicsError> {
@@ -128,44 +128,34 @@ impl PhysicsWorld {
     }
 
     /// Pins a loose thing where it is, as if it hung there, until it is taken or pushed: for things that do not
-    /// come to rest. In a drawer or on another moving part it moves along with the part.
+    /// come to rest. In a drawer or on another moving part it moves along with the part; otherwise with the thing `to`
+    /// which it is pinned, as in a box into whose walls it reaches.
     ///
     /// # Errors
-    /// [`PhysicsError::NoBody`], [`PhysicsError::NotFree`].
+    /// [`PhysicsError::NoBody`], also for the other thing; [`PhysicsError::NotFree`].
     ///
     /// ```
     /// # let home = vc_testkit::kitchen::kitchen();
     /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
     /// world.place(home.cup, vc_graph::Pose::translation(0.0, 0.5, 1.5))?;
-    /// world.pin(home.cup)?;
+    /// world.pin(home.cup, None)?;
     /// world.run(60);
     /// assert_eq!(world.pose(home.cup).map(|pose| pose.translation.z), Some(1.5));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn pin(&mut self, id: NodeId) -> Result<(), PhysicsError> {
+    pub fn pin(&mut self, id: NodeId, to: Option<NodeId>) -> Result<(), PhysicsError> {
+        to.map_or(Ok(()), |to| self.thing(to).map(drop))?;
         match self.thing(id)?.state.role {
             BodyRole::Loose => {
                 let rides = self.rides(id);
                 self.set_role(id, BodyRole::Hung)?;
                 self.thing_mut(id)?.state.rides = rides;
-                Ok(())
             }
-            BodyRole::Hung => Ok(()),
-            _ => Err(PhysicsError::NotFree(id)),
+            BodyRole::Hung => {}
+            _ => return Err(PhysicsError::NotFree(id)),
         }
-    }
-
-    /// As [`Self::pin`], as a part of another thing, with which it then moves. For things in a box that reach
-    /// into its walls.
-    ///
-    /// # Errors
-    /// As [`Self::pin`]; [`PhysicsError::NoBody`] also for the other thing.
-    pub fn pin_to(&mut self, id: NodeId, at: NodeId) -> Result<(), PhysicsError> {
-        self.thing(at)?;
-        self.pin(id)?;
-        let part = Some((at, 0));
-        let thing = self.thing_mut(id)?;
-        thing.state.rides = thing.state.rides.or(part);
+        let state = &mut self.thing_mut(id)?.state;
+        state.rides = state.rides.or(to.map(|to| (to, 0)));
         Ok(())
     }
 

@@ -110,7 +110,8 @@ impl PhysicsWorld {
         Ok(())
     }
 
-    /// Removes a node's body from the world; things that rested on it or hung from it fall.
+    /// Removes a node's body from the world; things that rested on it, hung from it or were pinned to it fall, and
+    /// agents on it get up, to the nearest free place or where they are.
     ///
     /// # Errors
     /// [`PhysicsError::NoBody`].
@@ -123,15 +124,21 @@ impl PhysicsWorld {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn remove(&mut self, id: NodeId) -> Result<(), PhysicsError> {
-        let index = self.index(id)?;
+        self.index(id)?;
         self.let_go_of(id);
+        self.clear_seat(id);
+        let index = self.index(id)?;
         let thing = self.things.remove(index);
         self.stopped.retain(|other| *other != id);
         thing.bodies().for_each(|b| self.engine.remove(b));
         self.driven.retain(|(d, _)| *d != id);
         self.vehicles.remove(&id);
         self.drain(id);
-        let hung = |t: &&Thing| t.state.role == BodyRole::Hung && t.state.rests.is_some_and(|place| place.at == id);
+        let on_it = |state: &ThingState| match state.rides {
+            Some((carrier, _)) => carrier == id,
+            None => state.rests.is_some_and(|place| place.at == id),
+        };
+        let hung = |t: &&Thing| t.state.role == BodyRole::Hung && on_it(&t.state);
         let hung: Vec<NodeId> = self.things.iter().filter(hung).map(|t| t.id).collect();
         if thing.state.role == BodyRole::Fixed {
             self.find_bottom();

@@ -5,6 +5,7 @@ use vc_graph::portable::Portable;
 use vc_graph::{NodeId, SceneGraph};
 
 use crate::shapes::ShapeCache;
+use crate::state::Thing;
 use crate::world::PhysicsWorld;
 use crate::{PhysicsError, group};
 
@@ -14,24 +15,22 @@ const LOOSE: f32 = 115.0;
 /// The sides of a bundle, relative to the longest.
 const FLAT: Vector3<f32> = Vector3::new(1.0, 1.0, 0.5);
 
+/// The scale along a thing's own axes if it were cloth folded to a flat bundle with the volume that its mass takes.
+/// `None` if it would be no smaller.
+pub(crate) fn folded_scale(thing: &Thing) -> Option<Vector3<f32>> {
+    let (low, high) = thing.form.extent;
+    let size = (high - low).map(|v| v.max(1e-4));
+    let volume = thing.mass() / LOOSE;
+    let bundle = FLAT * (volume / FLAT.product()).cube_root();
+    let smaller = volume > 0.0 && bundle.max() < size.max();
+    smaller.then(|| bundle.component_div(&size))
+}
+
 /// # Cloth
 impl PhysicsWorld {
-    /// The scale along a thing's own axes if it were cloth folded to a flat bundle with the volume that its
-    /// mass takes. `None` if it would be no smaller.
-    ///
-    /// # Errors
-    /// [`PhysicsError::NoBody`].
-    pub fn folded_size(&self, id: NodeId) -> Result<Option<Vector3<f32>>, PhysicsError> {
-        let (low, high) = self.thing(id)?.form.extent;
-        let size = (high - low).map(|v| v.max(1e-4));
-        let volume = self.mass(id).unwrap_or(0.0) / LOOSE;
-        let bundle = FLAT * (volume / FLAT.product()).cube_root();
-        let smaller = volume > 0.0 && bundle.max() < size.max();
-        Ok(smaller.then(|| bundle.component_div(&size)))
-    }
-
     /// Gives a node the shape that the graph has for it now, at another scale, at its pose or in the hand that
-    /// holds it. It keeps its mass.
+    /// holds it. It keeps its mass. [`BodyView::folded_scale`](crate::BodyView::folded_scale) gives the scale of folded
+    /// cloth.
     ///
     /// # Errors
     /// [`PhysicsError::NoSuchNode`], [`PhysicsError::NoBody`]; [`PhysicsError::NotFree`] for a node with moving
@@ -43,7 +42,7 @@ impl PhysicsWorld {
         }
         let form = shapes.session(graph.assets(), |session| session.form(graph, node));
         let form = form.filter(|f| f.links.len() == 1 && f.is_of_this_world()).ok_or(PhysicsError::NoBody(id))?;
-        let mass = self.mass(id).unwrap_or(0.0);
+        let mass = self.thing(id)?.mass();
         let spec = node.spec();
         let thing = self.thing_mut(id)?;
         thing.state.mass_factor = if form.mass() > 0.0 { mass / form.mass() } else { 1.0 };

@@ -9,6 +9,7 @@ use rapier3d::math::Pose as EnginePose;
 use vc_graph::NodeId;
 
 use crate::displaced::{Displaced, NONE};
+use crate::state::Thing;
 use crate::world::PhysicsWorld;
 use crate::{convert, group};
 
@@ -81,19 +82,8 @@ impl PhysicsWorld {
         self.gather(self.engine.narrow.contact_pairs())
     }
 
-    /// The contacts of a node.
-    ///
-    /// ```
-    /// # let home = vc_testkit::kitchen::kitchen();
-    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
-    /// world.settle(300);
-    /// let contacts = world.contacts_of(home.cup);
-    /// assert_eq!((contacts[0].a, contacts[0].b), (home.table, home.cup));
-    /// assert!(contacts[0].normal.z > 0.99); // The table pushes the cup up.
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    pub fn contacts_of(&self, id: NodeId) -> Vec<Contact> {
-        let Ok(thing) = self.thing(id) else { return Vec::new() };
+    /// The contacts of a thing.
+    pub(crate) fn contacts_of(&self, thing: &Thing) -> Vec<Contact> {
         self.gather(thing.bodies().flat_map(|body| self.pairs_of(body)))
     }
 
@@ -167,7 +157,8 @@ impl PhysicsWorld {
             let (other, up) = if c.a == id { (c.b, -c.normal.z) } else { (c.a, c.normal.z) };
             (up > CARRIES).then_some((other, c.impulse * up))
         };
-        let mut found: Vec<(NodeId, f32)> = self.contacts_of(id).iter().filter_map(below).collect();
+        let contacts = self.thing(id).map_or_else(|_| Vec::new(), |thing| self.contacts_of(thing));
+        let mut found: Vec<(NodeId, f32)> = contacts.iter().filter_map(below).collect();
         found.sort_by(|a, b| b.1.total_cmp(&a.1).then(a.0.cmp(&b.0)));
         found.into_iter().map(|(node, _)| node).collect()
     }

@@ -1,6 +1,6 @@
 //! Errors of worlds, agents and snapshots.
 
-use vc_graph::{NodeId, Side};
+use vc_graph::{Label, NodeId, Side};
 
 /// The reason why a world refuses a call. Nodes are given by their numbers; [`named`](Self::named) replaces
 /// them by labels.
@@ -35,16 +35,6 @@ pub enum PhysicsError<N = NodeId> {
     /// The node is locked.
     #[error("{0} is locked; unlock it first")]
     Locked(N),
-    /// The node has no such surface.
-    #[error("{id} has {count} surfaces, asked for surface {surface}")]
-    NoSuchSurface {
-        /// The node.
-        id: N,
-        /// The requested surface.
-        surface: usize,
-        /// The number of surfaces.
-        count: usize,
-    },
     /// The node would overlap another one.
     #[error("{id} would be inside {other}; ask for a free spot")]
     Overlap {
@@ -56,6 +46,9 @@ pub enum PhysicsError<N = NodeId> {
     /// The body does not move by itself or by a push.
     #[error("{0} does not move: it is fixed, held, an agent or stopped")]
     NotFree(N),
+    /// The thing is not a vehicle.
+    #[error("{0} is not a vehicle; make it one with `PhysicsWorld::add_vehicle` first")]
+    NoVehicle(N),
     /// A vehicle's data are invalid.
     #[error("vehicle {0}: {1}")]
     BadVehicle(N, &'static str),
@@ -80,7 +73,7 @@ pub enum AgentError<N = NodeId> {
         held: N,
     },
     /// The hand holds nothing.
-    #[error("the hand of {0} holds nothing")]
+    #[error("the hand of {0} holds nothing; let it take something first")]
     HandEmpty(N),
     /// The thing is too far away.
     #[error("{id} is {distance:.2} m from the shoulder of {agent}, its reach is {reach:.2} m")]
@@ -116,7 +109,7 @@ pub enum AgentError<N = NodeId> {
     #[error("{0} is held already")]
     Held(N),
     /// The agent has the wrong posture.
-    #[error("{agent} is {posture}")]
+    #[error("{agent} is {posture}; let it stand up, sit or lie down first, as the call needs")]
     Posture {
         /// The agent.
         agent: N,
@@ -170,12 +163,6 @@ pub enum AgentError<N = NodeId> {
         /// The thing that is there.
         by: N,
     },
-    /// There is no path to the target.
-    #[error("there is no path for {agent} to the target")]
-    NoWay {
-        /// The agent.
-        agent: N,
-    },
     /// The world refuses the call.
     #[error(transparent)]
     World(#[from] PhysicsError<N>),
@@ -203,9 +190,9 @@ impl<N> PhysicsError<N> {
             E::NotFinite(what, id) => E::NotFinite(what, name(id)),
             E::NoSuchPart { id, part, count } => E::NoSuchPart { id: name(id), part, count },
             E::Locked(id) => E::Locked(name(id)),
-            E::NoSuchSurface { id, surface, count } => E::NoSuchSurface { id: name(id), surface, count },
             E::Overlap { id, other } => E::Overlap { id: name(id), other: name(other) },
             E::NotFree(id) => E::NotFree(name(id)),
+            E::NoVehicle(id) => E::NoVehicle(name(id)),
             E::BadVehicle(id, why) => E::BadVehicle(name(id), why),
             E::BadWater(why) => E::BadWater(why),
         }
@@ -234,7 +221,6 @@ impl<N> AgentError<N> {
             E::NoSuchSeat { seat, number, count } => E::NoSuchSeat { seat: name(seat), number, count },
             E::PlaceTaken { seat, number, by } => E::PlaceTaken { seat: name(seat), number, by: name(by) },
             E::SideTaken { id, side, by } => E::SideTaken { id: name(id), side, by: name(by) },
-            E::NoWay { agent } => E::NoWay { agent: name(agent) },
             E::World(error) => E::World(error.named(name)),
         }
     }
@@ -262,6 +248,6 @@ pub enum SnapshotError {
     #[error("the world cannot be written as bytes: {0}")]
     Unwritable(String),
     /// The scene graph differs from that of the snapshot.
-    #[error("node {0} is not in the scene graph, or has another shape than in the snapshot")]
-    OtherScene(NodeId),
+    #[error("{0} is not in the scene graph, or has another shape than in the snapshot; restore it with its own scene")]
+    OtherScene(Label),
 }

@@ -111,7 +111,7 @@ impl PhysicsWorld {
         let Some(around) = self.box_around(colliders.iter().copied()) else { return Vec::new() };
         let (low, high) = (around.min - Vector3::z() * HOP, around.max + Vector3::z() * HOP);
         // A thing that has been moved is awake.
-        let sleeps = |t: &Thing| self.is_asleep(t.id) && displaced.get(t.state.base).is_none();
+        let sleeps = |t: &Thing| self.is_asleep(t) && displaced.get(t.state.base).is_none();
         let loose = self.things.iter().filter(|t| t.state.role == BodyRole::Loose && sleeps(t));
         let above = |id: NodeId| {
             let own = self.aabb(id)?;

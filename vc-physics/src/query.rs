@@ -6,6 +6,7 @@ use rapier3d::math::Pose as EnginePose;
 use rapier3d::pipeline::QueryFilter;
 use vc_graph::NodeId;
 
+use crate::state::Thing;
 use crate::world::PhysicsWorld;
 use crate::{PhysicsError, convert, group};
 
@@ -13,15 +14,7 @@ use crate::{PhysicsError, convert, group};
 impl PhysicsWorld {
     /// The nodes with some part within a distance of a point, with their distances, nearest first; walls and floors
     /// included. Metres.
-    ///
-    /// ```
-    /// # let home = vc_testkit::kitchen::kitchen();
-    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
-    /// let near = world.within(nalgebra::Point3::new(1.0, 0.0, 0.9), 0.2);
-    /// assert_eq!(near.iter().map(|(id, _)| *id).collect::<Vec<_>>(), [home.cup, home.table]);
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    pub fn within(&self, centre: Point3<f32>, radius: f32) -> Vec<(NodeId, f32)> {
+    pub(crate) fn within(&self, centre: Point3<f32>, radius: f32) -> Vec<(NodeId, f32)> {
         if !centre.iter().all(|c| c.abs() <= convert::FARTHEST) || !radius.is_finite() || radius < 0.0 {
             return Vec::new();
         }
@@ -64,18 +57,9 @@ impl PhysicsWorld {
         Some((self.node_of(collider)?, from + way * at))
     }
 
-    /// The point of a node's shapes, moving parts with them, that is nearest to a point; the point itself where a
-    /// shape is around it. `None` without a body, and for agents.
-    ///
-    /// ```
-    /// # let home = vc_testkit::kitchen::kitchen();
-    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
-    /// let nearest = world.nearest_point(home.table, nalgebra::Point3::new(1.0, 0.2, 2.0)).ok_or("no body")?;
-    /// assert!((nearest - nalgebra::Point3::new(1.0, 0.2, 0.74)).norm() < 1e-4);
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    pub fn nearest_point(&self, id: NodeId, to: Point3<f32>) -> Option<Point3<f32>> {
-        let bodies = self.thing(id).ok()?.bodies().filter_map(|b| self.engine.bodies.get(b));
+    /// The point of a thing's shapes that is nearest to a point.
+    pub(crate) fn nearest_point(&self, thing: &Thing, to: Point3<f32>) -> Option<Point3<f32>> {
+        let bodies = thing.bodies().filter_map(|b| self.engine.bodies.get(b));
         let colliders = bodies.flat_map(|b| b.colliders()).filter_map(|&c| self.engine.colliders.get(c));
         let points = colliders.map(|c| c.shape().project_point(c.position(), convert::point(to), true).point);
         let points = points.map(convert::point3);

@@ -63,7 +63,7 @@ impl PhysicsWorld {
         // Doors take along the things on them, of which the graph may say where they are then.
         for &id in &plan.turned {
             let open = graph.node(id).is_some_and(|n| n.is(vc_graph::State::Open));
-            world.put_all_open(id, if open { 1.0 } else { 0.0 })?;
+            world.put_open(id, None, if open { 1.0 } else { 0.0 })?;
         }
         for &id in &plan.moved {
             if let Some(pose) = graph.node(id).and_then(Node::pose) {
@@ -101,7 +101,7 @@ impl PhysicsWorld {
         for &id in moved {
             let (Some(node), thing) = (graph.node(id), self.thing(id)?) else { continue };
             let class = graph.classes().get(node.class());
-            let role = roles.role(node, class, &thing.form, thing.form.mass() * thing.state.mass_factor);
+            let role = roles.role(node, class, &thing.form, thing.mass());
             if let Some(role) = role.filter(|r| *r != thing.state.role && thing.state.role != BodyRole::Stopped) {
                 self.set_role(id, role)?;
             }

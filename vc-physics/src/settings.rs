@@ -59,7 +59,7 @@ pub struct Settings {
     pub latches: bool,
     /// Whether masses outside the range of the node's class are clamped to that range. Assets are often
     /// modelled with too much or too little material. The range grows with the volume of a scaled node;
-    /// [`PhysicsWorld::modelled_mass`](crate::PhysicsWorld::modelled_mass) returns the unclamped mass.
+    /// [`BodyView::modelled_mass`](crate::BodyView::modelled_mass) returns the unclamped mass.
     pub class_masses: bool,
 }
 

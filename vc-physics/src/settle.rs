@@ -126,7 +126,7 @@ impl PhysicsWorld {
         let kept = match place.relation {
             Relation::On => self.supports(thing.id).contains(&place.at),
             Relation::Inside => {
-                let centre = self.centre_of_mass(thing.id)?;
+                let centre = self.centre_of_mass(thing)?;
                 self.aabb(place.at).is_none_or(|b| grown(&b, 0.02).contains(&centre))
             }
             _ => true,
@@ -146,25 +146,17 @@ impl PhysicsWorld {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn outside(&self) -> Vec<NodeId> {
-        self.beyond(self.things.iter())
-    }
-
-    /// The nodes among some that are [outside](Self::outside).
-    pub fn outside_among(&self, nodes: &[NodeId]) -> Vec<NodeId> {
-        self.beyond(nodes.iter().filter_map(|id| self.thing(*id).ok()))
-    }
-
-    fn beyond<'a>(&self, things: impl Iterator<Item = &'a Thing>) -> Vec<NodeId> {
-        let mut things = things.peekable();
-        if things.peek().is_none() {
-            return Vec::new();
-        }
         let (boxes, grounds) = (self.inside(), self.grounds());
-        things.filter(|t| self.is_beyond(t, &boxes, &grounds)).map(|t| t.id).collect()
+        self.things.iter().filter(|t| self.is_beyond(t, &boxes, &grounds)).map(|t| t.id).collect()
+    }
+
+    /// Whether a thing is outside.
+    pub(crate) fn is_outside(&self, thing: &Thing) -> bool {
+        self.is_beyond(thing, &self.inside(), &self.grounds())
     }
 
     fn is_beyond(&self, thing: &Thing, boxes: &[Aabb], grounds: &[Aabb]) -> bool {
-        let Some(centre) = self.centre_of_mass(thing.id) else { return false };
+        let Some(centre) = self.centre_of_mass(thing) else { return false };
         let inside = boxes.is_empty() || boxes.iter().any(|b| b.contains(&centre));
         match thing.state.role {
             BodyRole::Loose | BodyRole::Stopped => !inside || grounds.iter().any(|b| b.contains(&centre)),

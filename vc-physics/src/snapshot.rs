@@ -15,7 +15,7 @@ use crate::{Settings, SnapshotError};
 /// The first bytes of a snapshot.
 const MAGIC: &[u8; 8] = b"VCWORLD\n";
 /// The format version, increased whenever the content changes.
-const VERSION: u32 = 7;
+const VERSION: u32 = 8;
 /// Bytes before the content: magic, version, checksum.
 const HEAD: usize = 20;
 
@@ -84,12 +84,13 @@ impl PhysicsWorld {
     /// ```
     pub fn restore(bytes: &[u8], graph: &SceneGraph, shapes: &ShapeCache) -> Result<Self, SnapshotError> {
         let content = decoded(bytes)?;
+        let other = |id: NodeId| SnapshotError::OtherScene(graph.label(id));
         let things = shapes.session(graph.assets(), |session| {
             let form = |(id, state): (NodeId, ThingState)| {
-                let node = graph.node(id).ok_or(SnapshotError::OtherScene(id))?;
+                let node = graph.node(id).ok_or_else(|| other(id))?;
                 let form = session.form(graph, node);
                 let form = form.filter(|f| f.links.len() == state.moving.len() + 1);
-                Ok(Thing { id, form: form.ok_or(SnapshotError::OtherScene(id))?, places: Places::new(node), state })
+                Ok(Thing { id, form: form.ok_or_else(|| other(id))?, places: Places::new(node), state })
             };
             content.things.into_iter().map(form).collect::<Result<Vec<Thing>, SnapshotError>>()
         })?;

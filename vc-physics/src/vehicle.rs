@@ -1,6 +1,6 @@
 //! Vehicles of a world: loose things that drive.
 
-use vc_graph::{NodeId, Pose};
+use vc_graph::NodeId;
 
 use crate::state::{Vehicle, VehicleControls, VehiclePlan};
 use crate::world::PhysicsWorld;
@@ -21,7 +21,7 @@ impl PhysicsWorld {
         if let Some(fault) = plan.fault() {
             return Err(PhysicsError::BadVehicle(id, fault));
         }
-        let mass = thing.form.mass() * thing.state.mass_factor;
+        let mass = thing.mass();
         let vehicle = Vehicle::new(plan, thing.state.base, mass);
         self.vehicles.insert(id, vehicle);
         Ok(())
@@ -30,33 +30,19 @@ impl PhysicsWorld {
     /// Sets the driver's controls until they are set again.
     ///
     /// # Errors
-    /// [`PhysicsError::NotFinite`]; [`PhysicsError::NotFree`] if the node is not a vehicle.
+    /// [`PhysicsError::NoBody`], [`PhysicsError::NotFinite`]; [`PhysicsError::NoVehicle`] if the thing is none.
     pub fn steer(&mut self, id: NodeId, controls: VehicleControls) -> Result<(), PhysicsError> {
         let all = [controls.throttle, controls.brake, controls.steering];
         if all.iter().any(|v| !v.is_finite()) {
             return Err(PhysicsError::NotFinite("the controls", id));
         }
         let base = self.thing(id)?.state.base;
-        let vehicle = self.vehicles.get_mut(&id).ok_or(PhysicsError::NotFree(id))?;
+        let vehicle = self.vehicles.get_mut(&id).ok_or(PhysicsError::NoVehicle(id))?;
         vehicle.controls = controls;
         if let Some(body) = self.engine.bodies.get_mut(base).filter(|_| controls.throttle != 0.0) {
             body.wake_up(true);
         }
         Ok(())
-    }
-
-    /// A vehicle's forward speed, metres per second; `None` if the node is not a vehicle.
-    pub fn speed(&self, id: NodeId) -> Option<f32> {
-        self.vehicles.get(&id)?;
-        let front = self.pose(id)?.rotation * nalgebra::Vector3::x();
-        Some(self.velocity(id)?.dot(&front))
-    }
-
-    /// The poses of a vehicle's wheels, in the order of its plan: their centres, rotated by rolling and
-    /// steering; Y is the axle.
-    pub fn wheels(&self, id: NodeId) -> Vec<Pose> {
-        let (Some(vehicle), Some(chassis)) = (self.vehicles.get(&id), self.pose(id)) else { return Vec::new() };
-        vehicle.wheels(&chassis)
     }
 
     /// Applies the wheels' forces of all vehicles.

@@ -69,7 +69,7 @@ impl PhysicsWorld {
     /// # let home = vc_testkit::kitchen::kitchen();
     /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
     /// world.fill(home.cup, 0.8)?;
-    /// assert_eq!(world.level(home.cup), 0.8);
+    /// assert_eq!(world.body(home.cup)?.level(), 0.8);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn fill(&mut self, id: NodeId, level: f32) -> Result<(), PhysicsError> {
@@ -94,21 +94,6 @@ impl PhysicsWorld {
         if self.waters.drain(id) {
             self.engine.bodies.iter_mut().for_each(|(_, body)| let_go(body));
         }
-    }
-
-    /// The fill level of a container, 0 to 1; 0 if nobody has filled it.
-    pub fn level(&self, id: NodeId) -> f32 {
-        self.waters.level(id)
-    }
-
-    /// The capacity of a container, cubic metres: the space above its inner surfaces, or six tenths of its
-    /// bounding box. `None` if it has no body.
-    pub fn capacity(&self, id: NodeId) -> Option<f32> {
-        let thing = self.thing(id).ok()?;
-        let space = |s: &Surface| 4.0 * s.half.0 * s.half.1 * s.clearance.unwrap_or(0.0);
-        let inner: f32 = thing.form.surfaces.iter().filter(|s| s.hold == Hold::Inside).map(space).sum();
-        let size = thing.form.extent.1 - thing.form.extent.0;
-        Some(if inner > 0.0 { inner } else { 0.6 * size.x * size.y * size.z })
     }
 
     /// The pose and size of the water in a container's largest inner surface at a level.

@@ -22,14 +22,16 @@ impl Targets {
         Self { items, tree: BoxTree::new(&regions) }
     }
 
-    /// Updates a body that has moved, come or gone. `None` if it was not a target before and is one now.
-    pub(crate) fn set(&mut self, item: usize, body: &Option<Arc<Body>>) -> Option<()> {
-        match (self.items.binary_search(&(item as u32)), region(body)) {
-            (Ok(place), now) => self.tree.set(place, now.unwrap_or(Aabb::EMPTY)),
-            (Err(_), Some(_)) => return None,
-            (Err(_), None) => {}
+    /// Whether a body is a target still, or was none before either.
+    pub(crate) fn takes(&self, item: usize, body: &Option<Arc<Body>>) -> bool {
+        region(body).is_none() || self.items.binary_search(&(item as u32)).is_ok()
+    }
+
+    /// Updates a body that has moved, come or gone, if it is a target.
+    pub(crate) fn set(&mut self, item: usize, body: &Option<Arc<Body>>) {
+        if let Ok(place) = self.items.binary_search(&(item as u32)) {
+            self.tree.set(place, region(body).unwrap_or(Aabb::EMPTY));
         }
-        Some(())
     }
 
     /// Calls `found` with every target that overlaps a region, in unspecified order.

@@ -11,7 +11,7 @@ pub const BOX_GAP: f32 = 0.08;
 
 /// Greatest depth to which a thing may have sunk into its support, metres: a cushion gives way by centimetres,
 /// a resting contact by at most 3 mm.
-pub const SUPPORT_SINK: f32 = 0.04;
+pub(crate) const SUPPORT_SINK: f32 = 0.04;
 
 /// Greatest difference from the least distance at which several supports count, metres: more than a solver's
 /// penetration and less than a thin board.
@@ -19,11 +19,11 @@ pub const SUPPORT_TIE: f32 = 0.003;
 
 /// Least vertical component of a supporting contact's normal. Steeper contacts (beyond 60 degrees) push aside
 /// more than they carry: a book leans on its neighbour and stands on the board.
-pub const SUPPORT_NORMAL: f32 = 0.5;
+pub(crate) const SUPPORT_NORMAL: f32 = 0.5;
 
 /// Least share of the total upward impulse with which a contact counts as a support: a plank on two tables has
 /// two supports, a cup touched by a spoon has one.
-pub const IMPULSE_SHARE: f32 = 0.1;
+pub(crate) const IMPULSE_SHARE: f32 = 0.1;
 
 /// Least height above a part's lowest face at which a trace starts, metres, so that a sheet of paper that has
 /// sunk a few millimetres into the table still finds it below.
@@ -46,13 +46,13 @@ pub const TOUCH_GAP: f32 = 0.005;
 
 /// Greatest gap between a hanging thing and the thing it hangs on, metres: nails, hooks and cords, which are
 /// not modelled, keep pictures this far off the wall.
-pub const HANG_GAP: f32 = 0.02;
+pub(crate) const HANG_GAP: f32 = 0.02;
 
-pub use vc_graph::asset::HOOK_REACH;
+pub(crate) use vc_graph::asset::HOOK_REACH;
 
 /// Greatest height of a thing above another that is under it, metres: a storey; also the length of the thesis's
 /// vertical traces here.
-pub const UNDER_REACH: f32 = 3.0;
+pub(crate) const UNDER_REACH: f32 = 3.0;
 
 /// The central share of a thing's footprint that must have something above for the thing to be under it: a
 /// chair pushed in by a tenth is not under the table, but one pushed in by half is.
@@ -79,7 +79,7 @@ pub(crate) const SIDE_SHARE: f32 = 0.5;
 
 /// Greatest height of a content's centre above the rim of an open container, metres: content may stand out
 /// (heaped apples), while its lower corners are below the rim.
-pub const RIM_MARGIN: f32 = 0.05;
+pub(crate) const RIM_MARGIN: f32 = 0.05;
 
 /// Share of the half size at which the corners of a content's box are taken, so that things that touch a wall
 /// of the container are within it.
@@ -90,11 +90,11 @@ pub(crate) const ROUND_CORNER_SHARE: f32 = 0.636;
 
 /// Number of the eight corners that must be within the container, in addition to the centre: half of them, as
 /// content may stand out.
-pub const CORNERS_WITHIN: u32 = 4;
+pub(crate) const CORNERS_WITHIN: u32 = 4;
 
 /// Least depth of a hollow found from geometry, metres: more than a plate's (12 mm), less than that of a bowl
 /// or of a tray with a rim three centimetres high.
-pub const HOLLOW_DEPTH: f32 = 0.018;
+pub(crate) const HOLLOW_DEPTH: f32 = 0.018;
 
 /// Least share of the asset that a hollow open at two sides must span: a bookcase's compartment spans all of
 /// it, the strip between two legs of a table a tenth.
@@ -147,38 +147,38 @@ pub(crate) const COLUMNS: usize = 8;
 pub(crate) const FULL_MESH: f32 = 0.9;
 
 /// An agent lies if the upward axis of its box is more than 60 degrees from vertical: the cosine of that angle.
-pub const LYING_TILT: f32 = 0.5;
+pub(crate) const LYING_TILT: f32 = 0.5;
 
 /// Range of a seat's top within the box of a sitting agent, as shares of the box's height from its bottom:
 /// below the middle of the body, above the feet.
-pub const SEAT_RANGE: (f32, f32) = (0.15, 0.65);
+pub(crate) const SEAT_RANGE: (f32, f32) = (0.15, 0.65);
 
 /// Half angle of the field of view: the cosine of 75 degrees, VirtualHome's.
 pub const FACING_COSINE: f32 = 0.258_8;
 
 /// Greatest distance of a faced thing, metres; VirtualHome's.
-pub const FACING_REACH: f32 = 5.0;
+pub(crate) const FACING_REACH: f32 = 5.0;
 
 /// Greatest distance of a thing in a doorway or wall from its nearest room, metres: the thickness of an outer
 /// wall.
-pub const ROOM_MARGIN: f32 = 0.4;
+pub(crate) const ROOM_MARGIN: f32 = 0.4;
 
 /// Height of a room above its floor if its box does not give it, metres: a storey.
 pub(crate) const STOREY: f32 = 3.0;
 
 /// Distance from a door's leaf at which the rooms on both its sides are searched, metres: outside of the wall
 /// it is in, and not past a corridor.
-pub const BESIDE_DOOR: f32 = 0.2;
+pub(crate) const BESIDE_DOOR: f32 = 0.2;
 
 /// A door's box that is thicker than this share of its width belongs to a leaf that stands open; a frame with
 /// its leaf shut has less than half.
 pub(crate) const DOOR_SQUARE: f32 = 0.7;
 
 /// VirtualHome: greatest distance from a centre to a box for CLOSE, metres.
-pub const VH_CLOSE: f32 = 1.5;
+pub(crate) const VH_CLOSE: f32 = 1.5;
 
 /// VirtualHome: pairs whose centres are farther apart are ignored, metres.
-pub const VH_FAR: f32 = 5.0;
+pub(crate) const VH_FAR: f32 = 5.0;
 
 /// VirtualHome: heights that differ by less are equal, metres: its floors are 9 µm thick, and things on them
 /// have their bottom at the floor's centre.
@@ -195,4 +195,4 @@ pub const WORLD_REACH: f32 = 10_000.0;
 
 /// Greatest deviation of a rotation quaternion's length from one: quaternions rounded to three digits in files
 /// pass, invalid ones do not.
-pub const ROTATION_SLACK: f32 = 0.01;
+pub(crate) const ROTATION_SLACK: f32 = 0.01;

@@ -7,14 +7,15 @@ use crate::evidence::Evidence;
 use crate::facts::{Facts, hands_of};
 use crate::relations::Relations;
 use crate::rule::RelationRule;
-use crate::world::Affected;
+use crate::world::{Affected, Reading};
 
 impl Relations {
     /// Replaces the evidence: contacts, joints and held things. Nodes whose joint positions have changed are
     /// read again.
     ///
     /// # Errors
-    /// [`InputError`] if the evidence, or a node that has to be read, contains an invalid number.
+    /// [`InputError`] if the evidence, or a node that has to be read, contains an invalid number; nothing is changed
+    /// then.
     ///
     /// ```
     /// # let home = vc_testkit::kitchen::kitchen();
@@ -33,7 +34,8 @@ impl Relations {
     /// Returns all nodes whose relations may have changed, by number.
     ///
     /// # Errors
-    /// [`InputError`] if the evidence, or a node that has to be read, contains an invalid number.
+    /// [`InputError`] if the evidence, or a node that has to be read, contains an invalid number; nothing is changed
+    /// then.
     pub fn update_with(
         &mut self,
         graph: &SceneGraph,
@@ -48,9 +50,13 @@ impl Relations {
         changed.extend(self.evidence.positions.iter().filter_map(|p| turned(p, &evidence)));
         changed.extend(evidence.positions.iter().filter_map(|p| turned(p, &self.evidence)));
         check_nodes(graph, &changed)?;
-        self.facts = Facts::from_scene(graph, &evidence);
-        self.evidence = evidence;
-        self.update(graph, &changed)
+        let before = (self.facts.clone(), std::mem::replace(&mut self.evidence, evidence));
+        self.facts = Facts::from_scene(graph, &self.evidence);
+        let done = self.update(graph, &changed);
+        if done.is_err() {
+            (self.facts, self.evidence) = before;
+        }
+        done
     }
 
     /// Reads nodes again that have moved, been added or removed, or changed their state or the things they
@@ -62,8 +68,8 @@ impl Relations {
     /// does any change under a rule other than [`RelationRule::Contacts`].
     ///
     /// # Errors
-    /// [`InputError`] as for [`Self::new`], for the changed nodes; nothing is changed then. Where a rebuild is needed,
-    /// other nodes can be refused, too; call [`Self::rebuild`] once they are mended.
+    /// [`InputError`] as for [`Self::new`], for the changed nodes and, where a rebuild is needed, for any node; nothing
+    /// is changed then.
     ///
     /// ```
     /// # let home = vc_testkit::kitchen::kitchen();
@@ -92,11 +98,14 @@ impl Relations {
     }
 
     fn update_each(&mut self, graph: &SceneGraph, changed: &[NodeId]) -> Option<Vec<NodeId>> {
+        let read = |&id: &NodeId| Some((id, self.world.read(graph, id, &self.evidence)?));
+        // All are read before the first is put: where one asks for a rebuild, which may be refused, nothing has changed.
+        let readings: Vec<(NodeId, Reading)> = changed.iter().map(read).collect::<Option<_>>()?;
         let mut affected = Affected::default();
-        for &id in changed {
-            let index = self.world.index(id)?;
+        for (id, reading) in readings {
+            let index = reading.index;
             let before = self.world.bodies[index].as_deref().map(|b| b.region);
-            self.world.update(graph, id, &self.evidence, &mut affected)?;
+            self.world.put(reading, &mut affected);
             affected.bound.push(index as u32);
             affected.beside.extend(self.watchers(index, before));
             let hands = self.read_hands(graph, id);

@@ -43,6 +43,13 @@ pub(crate) struct Affected {
     pub(crate) beside: Vec<u32>,
 }
 
+/// A node of the world as it is now.
+pub(crate) struct Reading {
+    pub(crate) index: usize,
+    body: Option<Arc<Body>>,
+    gone: bool,
+}
+
 /// Forms by asset, computed on first use; clones share them.
 #[derive(Debug, Clone, Default)]
 struct Forms {
@@ -153,27 +160,23 @@ impl World {
         self.pairs = pairs;
     }
 
-    /// Reads one node again and measures its pairs. Adds the bodies it had pairs with before and has now; `None` if
-    /// the scene must be rebuilt, as for a room or part of the building, an unknown node, or one that was not
-    /// lookable before.
-    pub(crate) fn update(
-        &mut self,
-        graph: &SceneGraph,
-        id: NodeId,
-        evidence: &Evidence,
-        affected: &mut Affected,
-    ) -> Option<()> {
+    /// Reads one node again; `None` if the scene must be rebuilt, as for a room or part of the building, an unknown
+    /// node, or one that was not lookable before.
+    pub(crate) fn read(&self, graph: &SceneGraph, id: NodeId, evidence: &Evidence) -> Option<Reading> {
         let index = self.index(id)?;
         let node = graph.node(id);
         let body = node.and_then(|n| self.body(n, evidence));
         let is_building = |b: &Option<Arc<Body>>| b.as_ref().is_some_and(|b| b.traits.structure);
         let is_room = node.map_or_else(|| self.rooms.has(id), |n| n.kind() == NodeKind::Room);
-        if is_room || is_building(&body) || is_building(&self.bodies[index]) {
-            return None;
-        }
-        self.targets.set(index, &body)?;
-        if node.is_none() {
-            self.gone.insert(id);
+        let stays = !is_room && !is_building(&body) && !is_building(&self.bodies[index]);
+        (stays && self.targets.takes(index, &body)).then_some(Reading { index, body, gone: node.is_none() })
+    }
+
+    /// Puts a node as it was read, and measures its pairs. Adds the bodies it had pairs with before and has now.
+    pub(crate) fn put(&mut self, Reading { index, body, gone }: Reading, affected: &mut Affected) {
+        self.targets.set(index, &body);
+        if gone {
+            self.gone.insert(self.ids[index]);
         }
         self.meet(index, affected);
         for pair in std::mem::take(&mut self.pairs[index]) {
@@ -186,7 +189,6 @@ impl World {
         self.bodies[index] = body;
         self.pairs[index] = self.measure_one(index);
         self.meet(index, affected);
-        Some(())
     }
 
     /// Adds the bodies with which a body has pairs.

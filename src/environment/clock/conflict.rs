@@ -54,7 +54,7 @@ impl Environment {
         (from, to): (Pose, Pose),
         run: bool,
     ) -> Way {
-        let plan = self.world.body_plan(agent).copied().unwrap_or_default();
+        let plan = self.world.agent(agent).map(|agent| *agent.plan()).unwrap_or_default();
         let passage = |door: &NodeId| Passage::new(&self.world, &self.graph, points, *door);
         let mut doors: Vec<Passage> = doors.iter().filter_map(passage).collect();
         for passage in &mut doors {
@@ -108,7 +108,9 @@ impl Environment {
 
     /// Whether a way, from a tick on, leads through a thing's parts when they are open by a fraction.
     fn meets(&self, who: NodeId, way: &Way, thing: NodeId, open: f32, from: Tick) -> bool {
-        let free = |feet: &Pose, at: &[f32]| self.world.can_stand_with_open(who, feet, thing, at).unwrap_or(true);
+        let free = |feet: &Pose, at: &[f32]| {
+            self.world.standing(who, feet).and_then(|there| Ok(there.is_free_with_open(thing, at)?)).unwrap_or(true)
+        };
         let hit = |feet: Pose| !free(&feet, &[open, 0.5]) && free(&feet, &[]);
         ticks(from, way.end()).any(|tick| hit(way.feet(tick)))
     }

@@ -192,9 +192,9 @@ impl Environment {
         let stands = self.world.posture(agent) == Some(Posture::Standing);
         let mut past: Vec<NodeId> = self.walkers(agent);
         past.extend(stands.then_some(agent));
-        let whole = vec![drive.open; self.world.moving_parts(drive.id).len()];
+        let whole = vec![drive.open; self.world.parts(drive.id).all().len()];
         self.heed_passers(agent, &Leaf::new(&self.world, drive.id, &whole, now))?;
-        let planned = self.world.plan_openness(drive.id, drive.open, &past);
+        let planned = self.world.parts(drive.id).plan(drive.open, &past);
         let ends = planned.map_err(|e| self.cannot(agent, e.into()))?.filter(|_| !drive.pushes);
         let Some(ends) = ends else { return self.push(agent, &drive) };
         let leaf = Leaf::new(&self.world, drive.id, &ends, self.after_walkers(agent, drive.id, drive.open));
@@ -207,7 +207,7 @@ impl Environment {
 
     /// Motors move what something is in the way of, until they have arrived or given up.
     fn push(&mut self, agent: NodeId, drive: &Drive) -> Going {
-        for part in 0..self.world.moving_parts(drive.id).len() {
+        for part in 0..self.world.parts(drive.id).all().len() {
             let driven = self.world.drive(drive.id, part, drive.open);
             driven.map_err(|e| self.cannot(agent, e.into()))?;
         }
@@ -272,7 +272,7 @@ impl Environment {
     /// A door is where the hand has moved it; if something has come into its way meanwhile, it is pushed.
     fn end_leaf(&mut self, agent: NodeId, drive: Drive) -> Going {
         let past: Vec<NodeId> = self.walkers(agent).into_iter().chain([agent]).collect();
-        let moved = self.world.set_openness_ignoring(drive.id, drive.open, &past);
+        let moved = self.world.set_openness(drive.id, drive.open, &past);
         if !moved.map_err(|e| self.cannot(agent, e.into()))? {
             self.push(agent, &drive)?;
             if let Some(schedule) = self.clock.running.get_mut(&agent) {
@@ -332,15 +332,17 @@ impl Environment {
             let _ = self.world.teleport(agent, feet);
         }
         if let (Phase::Pushes(_), Some(BodyMotion::Drive(drive))) = (schedule.phase, &schedule.motion) {
-            let parts = self.world.moving_parts(drive.id);
+            let parts = self.world.parts(drive.id).all();
             // Its motors stop where they are.
-            (0..).zip(parts).for_each(|(part, now)| drop(self.world.put_open(drive.id, part, now.open)));
+            (0..).zip(parts).for_each(|(part, now)| drop(self.world.put_open(drive.id, Some(part), now.open)));
         }
         match &schedule.track {
             Track::Way(way) => self.leave_doors(way),
             Track::Leaf(leaf) => {
                 // The part is there, and nothing is in its way.
-                leaf.open(now).into_iter().for_each(|(part, open)| drop(self.world.put_open(leaf.id, part, open)));
+                leaf.open(now)
+                    .into_iter()
+                    .for_each(|(part, open)| drop(self.world.put_open(leaf.id, Some(part), open)));
             }
             Track::Turn(_) | Track::Still => {}
         }
@@ -352,10 +354,10 @@ impl Environment {
     /// Doors that were passed are as open as they are by themselves.
     fn leave_doors(&mut self, way: &track::Way) {
         for passage in &way.doors {
-            let now = self.world.openness(passage.door);
+            let now = self.world.parts(passage.door).openness();
             if now.is_some_and(|now| (now - passage.own).abs() > 1e-3) {
                 // The door was moved in passing.
-                let _ = self.world.put_all_open(passage.door, passage.own);
+                let _ = self.world.put_open(passage.door, None, passage.own);
             }
         }
     }

@@ -45,7 +45,7 @@ impl Environment {
             still.show_body(agent, schedule);
         }
         // Doors and drawers are there and can be open so far.
-        doors.into_iter().for_each(|(door, open)| drop(still.world.put_all_open(door, open)));
+        doors.into_iter().for_each(|(door, open)| drop(still.world.put_open(door, None, open)));
         // For the moment between two ticks things may be where no relation can be told; then those before hold.
         drop(still.read_moved());
         still
@@ -60,7 +60,9 @@ impl Environment {
         match track {
             Track::Leaf(leaf) => {
                 // The part is there, and nothing is in its way.
-                leaf.open(now).into_iter().for_each(|(part, open)| drop(self.world.put_open(leaf.id, part, open)));
+                leaf.open(now)
+                    .into_iter()
+                    .for_each(|(part, open)| drop(self.world.put_open(leaf.id, Some(part), open)));
             }
             // A door is as open as the one who needs it widest has it.
             Track::Way(way) => {

@@ -22,7 +22,7 @@ impl Environment {
             let over = match &mut schedule.phase {
                 Phase::Pushes(left) => {
                     *left = left.saturating_sub(1);
-                    let driven = schedule.action.things().any(|id| self.world.is_driven(id));
+                    let driven = schedule.action.things().any(|id| self.world.parts(id).is_driven());
                     *left == 0 || !driven
                 }
                 _ => rests,
@@ -106,7 +106,7 @@ impl Environment {
         for id in differences.iter().map(|d| d.thing.id) {
             let was = before.node(id).and_then(|node| node.pose().copied());
             // It is loose and was there.
-            let _ = was.map(|was| self.world.place(id, was).and_then(|()| self.world.pin(id)));
+            let _ = was.map(|was| self.world.place(id, was).and_then(|()| self.world.pin(id, None)));
             self.clock.changed.push(id);
         }
         self.clock.stirred = true;

@@ -143,7 +143,7 @@ impl Way {
 impl Passage {
     /// The passage of a way through a door. Anything but a door between rooms is shut before the walker arrives.
     pub(super) fn new(world: &PhysicsWorld, graph: &SceneGraph, points: &[Point2<f32>], door: NodeId) -> Option<Self> {
-        let (middle, own) = (world.aabb(door)?.centre().xy(), world.openness(door)?);
+        let (middle, own) = (world.aabb(door)?.centre().xy(), world.parts(door).openness()?);
         let length: f32 = points.windows(2).map(|pair| (pair[1] - pair[0]).norm()).sum();
         let far = |at: f32| along(points, at).map(|(p, _)| ((p - middle).norm(), at));
         let all = (0..=(length / FINE) as u32).filter_map(|i| far(i as f32 * FINE));
@@ -192,7 +192,7 @@ struct LeafPart {
 
 impl Leaf {
     pub(super) fn new(world: &PhysicsWorld, id: NodeId, ends: &[f32], begin: Tick) -> Self {
-        let all = world.moving_parts(id);
+        let all = world.parts(id).all();
         let opens = ends.iter().any(|e| *e > 0.0);
         let order = if opens { [JointKind::Hinge, JointKind::Slide] } else { [JointKind::Slide, JointKind::Hinge] };
         let (mut parts, mut now) = (Vec::new(), begin);

@@ -3,7 +3,7 @@
 use nalgebra::{Point2, Vector2};
 use vc_graph::rule::Aimed;
 use vc_graph::{Action, Aim, AimPart, AimPoint, NodeId, ObjectRole, Place, Pose, Relation, SceneGraph, Side};
-use vc_physics::{AgentError, PhysicsWorld, Posture, SpotFault, SpotWish, StandingPose};
+use vc_physics::{AgentError, PhysicsWorld, Posture, SpotFault, SpotSearch, SpotWish, StandingPose};
 
 use super::planner::{Plan, Planner, Planning};
 use super::stand::APART;
@@ -77,7 +77,7 @@ impl Planner<'_> {
         let spot = feet.translation.vector.xy();
         let is_there =
             |id: &NodeId| self.world.pose(*id).is_some_and(|p| (p.translation.vector.xy() - spot).norm() < APART);
-        let mut by = self.world.obstacles_at(self.agent, feet)?;
+        let mut by = self.world.standing(self.agent, feet)?.obstacles();
         by.extend(self.world.agents().filter(|id| *id != self.agent && is_there(id)));
         by.sort_unstable();
         by.dedup();
@@ -122,7 +122,7 @@ impl Planner<'_> {
         };
         let inside = place.relation == Relation::Inside;
         let admits = |spot: &Pose| self.may_be_put(id, place, spot);
-        let spot = self.world.wished_spot(id, (place.at, inside), &wish, self.near_hands(), admits)?;
+        let spot = SpotSearch::new(id, place.at, inside).order(self.near_hands()).wished(self.world, &wish, admits)?;
         spot.map_err(|fault| {
             let why = self.spot_refusal(fault, inside);
             PhysicalRefusal::NotAsAsked { thing: self.before.label(id), at: self.before.label(place.at), why }
@@ -160,16 +160,16 @@ impl Planner<'_> {
 
     /// Brings a side of a thing within reach of the hands.
     pub(super) fn reach_side(&mut self, id: NodeId, side: Side) -> Planning {
-        let (middle, out) =
-            self.world.side_of(id, side).ok_or_else(|| PhysicalRefusal::NoBody(self.before.label(id)))?;
-        if let Some(&by) = self.world.things_at_side(id, side)?.first() {
+        let body = self.world.body(id).map_err(|_| PhysicalRefusal::NoBody(self.before.label(id)))?;
+        let (middle, out) = body.side(side);
+        if let Some(&by) = body.things_at_side(side).first() {
             return Err(AgentError::SideTaken { id, side, by }.into());
         }
         let reach = self.body().reach;
         let gets_at = |planner: &Self, feet: &Pose| {
             let before = (feet.translation.vector - middle.coords).xy().dot(&out.xy()) > 0.0;
-            let far = planner.world.point_distance(planner.agent, feet, middle);
-            (before || out.xy().norm() < LEVEL) && far.is_ok_and(|far| far <= reach)
+            let there = planner.world.standing(planner.agent, feet);
+            (before || out.xy().norm() < LEVEL) && there.is_ok_and(|there| there.point_distance(middle) <= reach)
         };
         if gets_at(self, &self.feet()) || !self.stands() {
             return Ok(self.face(id));

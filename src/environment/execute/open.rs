@@ -16,7 +16,7 @@ const SHIFT: f32 = 0.1;
 impl Planner<'_> {
     /// Opens or closes all moving parts of a thing, from a position where the agent is not in the way.
     pub(super) fn open(&mut self, id: NodeId, open: f32) -> Planning {
-        let moves = !self.world.moving_parts(id).is_empty();
+        let moves = !self.world.parts(id).all().is_empty();
         if self.is_mine(id) {
             return Ok(if moves { drive(id, open, false).into() } else { Plan::default() });
         }
@@ -35,10 +35,10 @@ impl Planner<'_> {
 
     /// Whether the parts have arrived, and the thing has kept its balance.
     pub(super) fn check_open(&self, id: NodeId, open: f32, before: Option<Pose>) -> Planning {
-        let now = self.world.openness(id).unwrap_or(open);
-        let arrived = if open > 0.5 { now >= WIDE } else { self.world.open_state(id) == Some(State::Closed) };
+        let now = self.world.parts(id).openness().unwrap_or(open);
+        let arrived = if open > 0.5 { now >= WIDE } else { self.world.parts(id).state() == Some(State::Closed) };
         // The part may have stopped where the agent stands.
-        let squeezed = now < 1.0 && self.stands() && !self.world.can_stand(self.agent, &self.feet())?;
+        let squeezed = now < 1.0 && self.stands() && !self.world.standing(self.agent, &self.feet())?.is_free();
         if !arrived || squeezed {
             return Err(self.stuck(id, open, now)?);
         }
@@ -50,7 +50,7 @@ impl Planner<'_> {
 
     /// The error for a thing that is stuck at its present opening.
     fn stuck(&self, id: NodeId, open: f32, now: f32) -> Result<PhysicalRefusal, PhysicalRefusal> {
-        let by = self.world.blockers(id, open)?.into_iter().map(|by| self.before.label(by)).collect();
+        let by = self.world.parts(id).blockers(open)?.into_iter().map(|by| self.before.label(by)).collect();
         Ok(PhysicalRefusal::Stuck { thing: self.before.label(id), open: 100.0 * now, by })
     }
 

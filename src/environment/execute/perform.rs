@@ -40,13 +40,13 @@ impl Bodies<'_> {
                 }
             }
             // The things are loose, so they can be pinned.
-            BodyMotion::Steady(things) => things.iter().for_each(|id| drop(self.world.pin(*id))),
+            BodyMotion::Steady(things) => things.iter().for_each(|id| drop(self.world.pin(*id, None))),
             BodyMotion::Fold(id, scale) => {
                 let graph = scaled(self.before, *id, *scale)?;
                 self.world.reshape(&graph, *id, &self.start.shapes)?;
             }
             BodyMotion::Nudge(parts) => {
-                parts.iter().try_for_each(|(id, part, open)| self.world.put_open(*id, *part, *open))?;
+                parts.iter().try_for_each(|(id, part, open)| self.world.put_open(*id, Some(*part), *open))?;
             }
             BodyMotion::Push(moved) => self.push(moved)?,
             BodyMotion::Put(put) => self.put(put)?,
@@ -60,9 +60,9 @@ impl Bodies<'_> {
             BodyMotion::PutBack(poses) => self.world.rest_at(poses)?,
             BodyMotion::LetGo(hand) => self.world.drop(agent, *hand).map(|_| ())?,
             BodyMotion::Drive(drive) => self.drive(drive)?,
-            BodyMotion::Rest(id, false, Some(seat)) => self.world.sit_at(agent, *id, *seat)?,
+            BodyMotion::Rest(id, false, Some(seat)) => self.world.sit(agent, *id, Some(*seat))?,
             BodyMotion::Rest(id, true, _) => self.world.lie(agent, *id)?,
-            BodyMotion::Rest(id, false, None) => self.world.sit(agent, *id)?,
+            BodyMotion::Rest(id, false, None) => self.world.sit(agent, *id, None)?,
             BodyMotion::Dress(id) => self.world.remove(*id)?,
             BodyMotion::Undress(hand, id) => {
                 self.world.insert(self.before, *id, &self.start.shapes)?;
@@ -107,17 +107,17 @@ impl Bodies<'_> {
         let Drive { id, open, .. } = *drive;
         if self.before.rests_at(id, self.agent) {
             // Nothing is in the way of what a hand holds.
-            self.world.put_all_open(id, open)?;
+            self.world.put_open(id, None, open)?;
         } else {
             // A standing agent gives way to a part that swings past it.
             let stands = self.world.posture(self.agent) == Some(Posture::Standing);
             let past = if stands { std::slice::from_ref(&self.agent) } else { &[] };
-            drive.pushes = drive.pushes || !self.world.set_openness_ignoring(id, open, past)?;
+            drive.pushes = drive.pushes || !self.world.set_openness(id, open, past)?;
             if drive.pushes {
                 self.push_open(id, open)?;
             }
         }
-        drive.end = self.world.moving_parts(id).iter().map(|part| part.open).collect();
+        drive.end = self.world.parts(id).all().iter().map(|part| part.open).collect();
         Ok(())
     }
 
@@ -127,7 +127,7 @@ impl Bodies<'_> {
         let turns = |part: &MovingPart| part.kind == JointKind::Hinge;
         if open > 0.0 {
             self.push_parts(id, open, turns)?;
-            let parts = self.world.moving_parts(id);
+            let parts = self.world.parts(id).all();
             if parts.iter().any(turns) && !parts.iter().any(|p| turns(p) && p.open >= WIDE) {
                 return Ok(());
             }
@@ -136,13 +136,13 @@ impl Bodies<'_> {
     }
 
     fn push_parts(&mut self, id: NodeId, open: f32, which: impl Fn(&MovingPart) -> bool) -> Done {
-        let parts = self.world.moving_parts(id);
+        let parts = self.world.parts(id).all();
         for (part, _) in parts.iter().enumerate().filter(|(_, p)| p.has_motor && which(p)) {
             self.world.drive(id, part, open)?;
         }
         for _ in 0..DRIVING {
             self.world.step();
-            if !self.world.is_driven(id) {
+            if !self.world.parts(id).is_driven() {
                 break;
             }
         }

@@ -83,7 +83,7 @@ impl<'a> Planner<'a> {
     }
 
     pub(super) fn body(&self) -> BodyPlan {
-        self.world.body_plan(self.agent).copied().unwrap_or_default()
+        self.world.agent(self.agent).map(|agent| *agent.plan()).unwrap_or_default()
     }
 
     pub(super) fn feet(&self) -> Pose {

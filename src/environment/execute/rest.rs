@@ -23,7 +23,8 @@ impl Planner<'_> {
 
     pub(super) fn rest_on(&mut self, id: NodeId, lying: bool) -> Planning {
         let seat = self.asked_seat();
-        let mut places = if lying { self.world.beds(id) } else { self.world.seats(id) };
+        let body = self.world.body(id)?;
+        let mut places = if lying { body.beds() } else { body.seats() };
         if let Some(asked) = seat.and_then(|seat| places.get(seat as usize).copied()) {
             places = vec![asked];
         }
@@ -43,12 +44,13 @@ impl Planner<'_> {
     /// Gets up to a spot from which the floor is reached on which the agent stood before; else to where it stood.
     pub(super) fn get_up(&mut self) -> Planning {
         self.floor.update(self.world);
-        let stood = self.world.stood_before(self.agent).unwrap_or_else(|| self.feet());
+        let stood =
+            self.world.agent(self.agent).ok().and_then(|agent| agent.stood_before()).unwrap_or_else(|| self.feet());
         let at = |feet: &Pose| Point2::from(feet.translation.vector.xy());
         let back = |feet: &Pose| self.floor.route(at(feet), at(&stood)).is_some();
-        let exit = self.world.exit_where(self.agent, back);
+        let exit = self.world.agent(self.agent).and_then(|agent| agent.exit_where(back));
         let feet = match exit {
-            Err(AgentError::NoExit(_)) if self.world.can_stand(self.agent, &stood)? => stood,
+            Err(AgentError::NoExit(_)) if self.world.standing(self.agent, &stood)?.is_free() => stood,
             exit => exit?,
         };
         Ok(BodyMotion::GetUp(feet).into())

@@ -2,7 +2,7 @@
 
 use nalgebra::{Point2, Point3, Vector3};
 use vc_graph::{EditError, Node, NodeId, Place, Pose, Property, Relation, SceneGraph};
-use vc_physics::{BodyRole, PhysicsWorld, SpotOrder};
+use vc_physics::{BodyRole, Packing, PhysicsWorld, SpotOrder, SpotSearch};
 
 use super::planner::Planner;
 use crate::environment::PhysicalRefusal;
@@ -61,7 +61,10 @@ impl Planner<'_> {
         let mut spot = None;
         if place.relation == Relation::Inside {
             let admits = |spot: &Pose| self.may_be_put(id, place, spot);
-            spot = self.world.heaped_spot_where(id, place.at, self.near_hands(), admits)?;
+            spot = SpotSearch::new(id, place.at, true)
+                .order(self.near_hands())
+                .packing(Packing::Heaped)
+                .find_where(self.world, admits)?;
         }
         spot.map_or_else(|| Err(self.no_spot(id, place)?), |spot| Ok(FreeSpot { spot, first: Vec::new() }))
     }
@@ -70,9 +73,9 @@ impl Planner<'_> {
     pub(super) fn no_spot(&self, id: NodeId, place: Place) -> Result<PhysicalRefusal, PhysicalRefusal> {
         let (thing, at) = (self.before.label(id), self.before.label(place.at));
         let (inside, order) = (place.relation == Relation::Inside, self.near_hands());
-        let mut anywhere = self.world.free_spot_at(id, place.at, inside, order)?;
+        let mut anywhere = SpotSearch::new(id, place.at, inside).order(order).find(self.world)?;
         if inside && anywhere.is_none() {
-            anywhere = self.world.heaped_spot_where(id, place.at, order, |_| true)?;
+            anywhere = SpotSearch::new(id, place.at, true).order(order).packing(Packing::Heaped).find(self.world)?;
         }
         match anywhere {
             Some(_) if inside => return Ok(PhysicalRefusal::KeepsOpen { thing, at }),
@@ -86,7 +89,7 @@ impl Planner<'_> {
     /// Where a thing was at its place at the start, if nothing has come there since.
     pub(super) fn spot_as_begun(&self, id: NodeId, place: Place) -> Result<Option<Pose>, PhysicalRefusal> {
         let was_there = self.start.graph.places(id).any(|p| p == place);
-        Ok(if was_there { self.world.former_spot(&self.start.world, id, place.at)? } else { None })
+        Ok(if was_there { self.world.body(id)?.former_spot(&self.start.world, place.at)? } else { None })
     }
 
     pub(super) fn near_hands(&self) -> SpotOrder {
@@ -117,20 +120,22 @@ impl Planner<'_> {
     ) -> Result<Option<Pose>, PhysicalRefusal> {
         let inside = place.relation == Relation::Inside;
         let admits = |spot: &Pose| admits(spot) && self.may_be_put(id, place, spot);
-        Ok(self.world.free_spot_where(id, place.at, inside, order, admits)?)
+        Ok(SpotSearch::new(id, place.at, inside).order(order).find_where(self.world, admits)?)
     }
 
     /// Whether a thing may be put to a spot at a place: on others it shuts nobody in, and what it is in shuts again.
     pub(super) fn may_be_put(&self, id: NodeId, place: Place, spot: &Pose) -> bool {
         match place.relation {
-            Relation::Inside => self.world.keeps_open(id, place.at, spot).is_ok_and(|keeps| !keeps),
+            Relation::Inside => self.world.parts(place.at).are_kept_open_by(id, spot).is_ok_and(|keeps| !keeps),
             _ => self.shuts_nobody_in(id, spot),
         }
     }
 
     /// Whether all agents, with a thing at a pose, still reach the floor that they reach now.
     fn shuts_nobody_in(&self, id: NodeId, pose: &Pose) -> bool {
-        let stood = |agent| self.world.stood_before(agent).or_else(|| self.world.pose(agent));
+        let stood = |agent| {
+            self.world.agent(agent).ok().and_then(|agent| agent.stood_before()).or_else(|| self.world.pose(agent))
+        };
         let feet = self.world.agents().filter_map(stood).map(|feet| feet.translation.vector.xy().into());
         let feet: Vec<Point2<f32>> = feet.collect();
         self.floor.stays_open(self.world, id, pose, &feet).unwrap_or(true)
@@ -174,9 +179,12 @@ impl Planner<'_> {
             let planner = self.in_world(world);
             let admits = |spot: &Pose| !inside || planner.may_be_put(thing, place, spot);
             let spot = if close {
-                planner.world.packed_spot_where(thing, place.at, inside, order, admits)?
+                SpotSearch::new(thing, place.at, inside)
+                    .order(order)
+                    .packing(Packing::Close)
+                    .find_where(planner.world, admits)?
             } else {
-                planner.world.free_spot_where(thing, place.at, inside, order, admits)?
+                SpotSearch::new(thing, place.at, inside).order(order).find_where(planner.world, admits)?
             };
             let Some(spot) = spot else { return Ok(None) };
             world.place(thing, spot)?;
@@ -205,7 +213,7 @@ impl Planner<'_> {
     /// The world with a thing of cloth folded to a flat bundle, and that motion; `None` if it is no larger as it is.
     fn folded(&self, id: NodeId) -> Result<Option<(PhysicsWorld, BodyMotion)>, PhysicalRefusal> {
         let Some(node) = self.before.node(id).filter(|n| is_cloth(n)) else { return Ok(None) };
-        let Some(by) = self.world.folded_size(id)? else { return Ok(None) };
+        let Some(by) = self.world.body(id)?.folded_scale() else { return Ok(None) };
         let scale = node.spec().scale.component_mul(&by);
         let (mut world, graph) = (self.world.clone(), scaled(self.before, id, scale)?);
         world.reshape(&graph, id, &self.start.shapes)?;

@@ -3,7 +3,7 @@
 use nalgebra::{Point2, Point3, Vector2};
 use vc_graph::asset::JointKind;
 use vc_graph::{NodeId, NodeKind, Place, Pose, Property, Verb};
-use vc_physics::{PhysicsWorld, StandingPose};
+use vc_physics::{PhysicsWorld, ShutDoors, StandingPose};
 
 use super::planner::{Plan, Planner, Planning};
 use super::towards;
@@ -27,11 +27,11 @@ impl Planner<'_> {
     pub(super) fn reach(&mut self, id: NodeId) -> Planning {
         let body = self.body_of(id)?;
         let reach = self.body().reach;
-        if self.world.reach_distance(self.agent, body)? <= reach {
+        if self.world.agent(self.agent)?.reach_distance(body)? <= reach {
             return Ok(self.face(body));
         }
         if !self.stands() {
-            let distance = self.world.reach_distance(self.agent, body)?;
+            let distance = self.world.agent(self.agent)?.reach_distance(body)?;
             return Err(vc_physics::AgentError::OutOfReach { agent: self.agent, id: body, distance, reach }.into());
         }
         self.floor.update(self.world);
@@ -45,7 +45,10 @@ impl Planner<'_> {
         if self.is_overhead(body) || self.has_cord(body) {
             return matches!(self.stand_before(id), Ok(Some(_)));
         }
-        let here = self.world.reach_distance(self.agent, body).is_ok_and(|far| far <= self.body().reach);
+        let here = self
+            .world
+            .agent(self.agent)
+            .is_ok_and(|me| me.reach_distance(body).is_ok_and(|far| far <= self.body().reach));
         here || matches!(self.stand_at(body, self.before.room_of(body)), Ok(Some(_)))
     }
 
@@ -110,8 +113,11 @@ impl Planner<'_> {
             around.iter().all(|offset| at(offset).is_none_or(|r| r == room)) && at(&around[0]) == Some(room)
         };
         let free = || match self.nudges {
-            false => self.world.can_stand(self.agent, feet).unwrap_or(false),
-            true => self.world.parts_to_move_aside(self.agent, feet).is_ok_and(|parts| parts.is_some()),
+            false => self.world.standing(self.agent, feet).is_ok_and(|there| there.is_free()),
+            true => self
+                .world
+                .standing(self.agent, feet)
+                .is_ok_and(|there| there.parts_to_move_aside(ShutDoors::Stay).is_some()),
         };
         room.is_none_or(inner) && self.is_unclaimed(&spot) && free()
     }
@@ -131,7 +137,7 @@ impl Planner<'_> {
         if route.points.first().is_some_and(|first| (first - from).norm() > 0.01) {
             route.points.insert(0, from);
         }
-        let aside = self.world.parts_to_move_aside(self.agent, &feet)?.unwrap_or_default();
+        let aside = self.world.standing(self.agent, &feet)?.parts_to_move_aside(ShutDoors::Stay).unwrap_or_default();
         let walk =
             BodyMotion::Walk { points: route.points, doors: route.doors, feet, run: self.action.verb == Verb::Run };
         let nudge = (!aside.is_empty()).then_some(BodyMotion::Nudge(aside));
@@ -255,14 +261,15 @@ impl Planner<'_> {
 
     /// Turns to a point where the agent stands.
     pub(super) fn turn_to(&self, to: Point3<f32>) -> Plan {
-        Plan::of(self.world.turned_to(self.agent, to).map(BodyMotion::Turn).ok())
+        Plan::of(self.world.agent(self.agent).and_then(|agent| agent.turned_to(to)).map(BodyMotion::Turn).ok())
     }
 
     /// Whether a thing can be put at a pose by an agent with its feet somewhere: within reach, and not where its
     /// own body is.
     pub(super) fn puts_from(&self, feet: &Pose, id: NodeId, spot: &Pose) -> bool {
-        self.world.put_distance(self.agent, feet, id, spot).is_ok_and(|far| far <= self.body().reach)
-            && (!self.stands() || self.world.is_clear_of_body(self.agent, feet, id, spot).unwrap_or(false))
+        let Ok(there) = self.world.standing(self.agent, feet) else { return false };
+        there.put_distance(id, spot).is_ok_and(|far| far <= self.body().reach)
+            && (!self.stands() || there.is_clear_of(id, spot).unwrap_or(false))
     }
 
     /// As [`Self::puts_from`], where the agent does not shut itself in: in the dead end of a corridor, say.
@@ -333,11 +340,16 @@ impl Planner<'_> {
     /// container stands where it sees into it, if there is such a spot.
     pub(super) fn stand_clear(&mut self, id: NodeId, open: f32) -> Planning {
         let swing = [open, 0.15, 0.3, 0.45, 0.6, 0.75, 0.9, 1.0 - open];
-        let clear_here = self.world.can_stand_with_open(self.agent, &self.feet(), id, &swing)?;
-        let free = |feet: &Pose, at: &[f32]| self.world.can_stand_with_open(self.agent, feet, id, at).unwrap_or(false);
+        let clear_here = self.world.standing(self.agent, &self.feet())?.is_free_with_open(id, &swing)?;
+        let free = |feet: &Pose, at: &[f32]| {
+            self.world
+                .standing(self.agent, feet)
+                .and_then(|there| Ok(there.is_free_with_open(id, at)?))
+                .unwrap_or(false)
+        };
         let clear = |feet: &Pose| free(feet, &swing);
         self.floor.update(self.world);
-        let stays = self.world.reach_distance(self.agent, id)? <= self.body().reach && clear_here;
+        let stays = self.world.agent(self.agent)?.reach_distance(id)? <= self.body().reach && clear_here;
         let opened = if open > 0.5 { self.opened(id)? } else { None };
         let shows = |feet: &Pose| opened.as_ref().is_none_or(|opened| self.shows_inside(opened, feet, id));
         if stays && shows(&self.feet()) {
@@ -366,12 +378,12 @@ impl Planner<'_> {
 
     /// The world with a container standing open, if it has a door that turns.
     fn opened(&self, id: NodeId) -> Result<Option<PhysicsWorld>, PhysicalRefusal> {
-        let turns = self.world.moving_parts(id).iter().any(|part| part.kind == JointKind::Hinge);
+        let turns = self.world.parts(id).all().iter().any(|part| part.kind == JointKind::Hinge);
         if !turns || !self.before.node(id).is_some_and(|n| n.affords(Property::Container)) {
             return Ok(None);
         }
         let mut opened = self.world.clone();
-        opened.put_all_open(id, 1.0)?;
+        opened.put_open(id, None, 1.0)?;
         Ok(Some(opened))
     }
 

@@ -112,7 +112,7 @@ impl Planner<'_> {
         let rolled = !inside && far(id, &of.now) > ROLLED;
         let across = || !inside && self.world.supports(id).contains(&at);
         !rolled
-            && (self.world.is_at(id, at, inside) || across())
+            && (self.world.body(id).is_ok_and(|thing| thing.is_at(at, inside)) || across())
             && of.around.iter().all(|(id, was)| far(*id, was) < ASIDE)
             && !(inside && self.is_in_the_way(id, at))
     }
@@ -125,7 +125,7 @@ impl Planner<'_> {
     /// Whether a thing as it lies keeps another from being shut.
     fn is_in_the_way(&self, id: NodeId, at: NodeId) -> bool {
         let pose = self.world.pose(id);
-        pose.is_some_and(|pose| self.world.keeps_open(id, at, &pose).unwrap_or(false))
+        pose.is_some_and(|pose| self.world.parts(at).are_kept_open_by(id, &pose).unwrap_or(false))
     }
 
     /// Where the movable things at the place are, and the thing itself.

@@ -54,7 +54,7 @@ impl Environment {
     }
 
     fn lit(&self, base: &Base, daylight: &Daylight) -> Lit {
-        let stands_open = |id: &NodeId| self.world().openness(*id).is_some_and(|open| open >= AJAR);
+        let stands_open = |id: &NodeId| self.world().parts(*id).openness().is_some_and(|open| open >= AJAR);
         let open = base.openings.iter().copied().filter(stands_open).collect();
         let closed = |id: &NodeId| self.graph().node(*id).is_some_and(|n| n.is(State::Closed));
         let drawn = base.covers.iter().copied().filter(closed).collect();

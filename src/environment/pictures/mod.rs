@@ -266,7 +266,7 @@ impl Base {
         let poses = poses.filter(|(id, _)| seen.binary_search(id).is_ok()).collect();
         let fixed = |id: &NodeId| world.role(*id) == Some(BodyRole::Fixed);
         let loose = seen.iter().copied().filter(|id| !fixed(id)).collect();
-        let jointed: Vec<NodeId> = world.nodes().into_iter().filter(|id| !world.moving_parts(*id).is_empty()).collect();
+        let jointed: Vec<NodeId> = world.nodes().into_iter().filter(|id| !world.parts(*id).all().is_empty()).collect();
         let lets_in =
             |id: &NodeId| graph.node(*id).is_some_and(|n| matches!(n.role(), ObjectRole::Door | ObjectRole::Window));
         let openings = jointed.iter().copied().filter(lets_in).collect();

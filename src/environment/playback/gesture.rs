@@ -67,7 +67,7 @@ impl Player {
     /// Moves a hand and the thing it holds towards the gesture's target.
     fn follow(&mut self, show: &mut Environment, aim: &Aim, share: f32) {
         let feet = self.feet(show);
-        if let Some(grip) = show.world.grip(self.agent, aim.hand) {
+        if let Some(grip) = show.world.agent(self.agent).ok().and_then(|agent| agent.grip(aim.hand)) {
             let rest = *self.handling.rest.get_or_insert(grip);
             let held = show.world.held(self.agent, aim.hand);
             let middle = held.and_then(|id| show.world.aabb(id)).map_or(Point3::origin(), |b| b.centre());

@@ -44,7 +44,7 @@ impl Player {
     ) -> bool {
         let (agent, feet) = (self.agent, self.feet(show));
         if self.handling.at.is_none() {
-            let middle = side.and_then(|side| show.world.side_of(id, side)).map(|(middle, _)| middle);
+            let middle = side.and_then(|side| Some(show.world.body(id).ok()?.side(side).0));
             self.handling.at = middle.or_else(|| show.palm_on(agent, hand, id));
         }
         if before < REACHING && self.time >= REACHING {
@@ -55,7 +55,7 @@ impl Player {
                 Some(side) => world.grab_by_side(agent, (hand, side), id, &load),
                 None => world.grab_with_load(agent, hand, id, &load),
             });
-            self.handling.rest = world.grip(agent, hand);
+            self.handling.rest = world.agent(agent).ok().and_then(|agent| agent.grip(hand));
             self.come_true(show);
         }
         if self.time >= REACHING {
@@ -68,7 +68,7 @@ impl Player {
     pub(super) fn put(&mut self, show: &mut Environment, put: &Put, before: f32) -> bool {
         let (agent, feet) = (self.agent, self.feet(show));
         if self.handling.at.is_none() {
-            self.handling.rest = show.world.grip(agent, put.hand);
+            self.handling.rest = show.world.agent(agent).ok().and_then(|agent| agent.grip(put.hand));
             self.handling.out = Some(feet.inverse() * put.pose);
             self.handling.at = show.palm_on(agent, put.hand, put.id);
         }
@@ -84,7 +84,7 @@ impl Player {
             }
             self.handling.at = show.palm_on(agent, put.hand, put.id);
             if put.balanced {
-                drop(show.world.pin(put.id));
+                drop(show.world.pin(put.id, None));
             }
             self.come_true(show);
         }
@@ -95,7 +95,7 @@ impl Player {
     pub(in crate::environment) fn show_taking(&mut self, show: &mut Environment, hand: Hand, id: NodeId) {
         self.handling.at = show.palm_on(self.agent, hand, id);
         if self.time >= REACHING {
-            self.handling.rest = show.world.grip(self.agent, hand);
+            self.handling.rest = show.world.agent(self.agent).ok().and_then(|agent| agent.grip(hand));
             self.bring(show, hand);
         }
         self.reach(show, hand, id);
@@ -103,7 +103,7 @@ impl Player {
 
     /// A hand takes a thing to where it is put, or comes back without it.
     pub(in crate::environment) fn show_putting(&mut self, show: &mut Environment, put: &Put) {
-        self.handling.rest = show.world.grip(self.agent, put.hand);
+        self.handling.rest = show.world.agent(self.agent).ok().and_then(|agent| agent.grip(put.hand));
         self.handling.out = Some(self.feet(show).inverse() * put.pose);
         self.handling.at = show.palm_on(self.agent, put.hand, put.id);
         if self.time < REACHING {
@@ -142,7 +142,7 @@ impl Player {
         let over = self.reach(show, hand, drive.id);
         if over {
             let end = drive.end.iter().enumerate();
-            end.for_each(|(part, open)| drop(show.world.put_open(drive.id, part, *open)));
+            end.for_each(|(part, open)| drop(show.world.put_open(drive.id, Some(part), *open)));
         }
         over
     }
@@ -150,7 +150,7 @@ impl Player {
     /// Moves what nothing is in the way of: doors open before drawers and shut after them. Gives
     /// whether anything moves still.
     fn swing(&self, show: &mut Environment, drive: &Drive) -> bool {
-        let parts = show.world.moving_parts(drive.id);
+        let parts = show.world.parts(drive.id).all();
         let step = show.world.settings().dt / WHOLE_WAY;
         let (doors, drawers) = (JointKind::Hinge, JointKind::Slide);
         let kinds = if drive.open > 0.0 { [doors, drawers] } else { [drawers, doors] };
@@ -159,7 +159,7 @@ impl Player {
         let Some(kind) = kinds.into_iter().find(|kind| waits(*kind)) else { return false };
         for part in (0..parts.len()).filter(|i| parts[*i].kind == kind) {
             let next = parts[part].open + left(part).clamp(-step, step);
-            drop(show.world.put_open(drive.id, part, next));
+            drop(show.world.put_open(drive.id, Some(part), next));
         }
         // What jams is not waited for.
         self.handling.waited < PATIENCE
@@ -205,10 +205,10 @@ impl Player {
 /// Moves parts by motors, against what is in the way; gives whether any still runs.
 fn push(show: &mut Environment, drive: &Drive, begins: bool) -> bool {
     if begins {
-        let parts = show.world.moving_parts(drive.id).len();
+        let parts = show.world.parts(drive.id).all().len();
         (0..parts).for_each(|part| drop(show.world.drive(drive.id, part, drive.open)));
     }
-    show.world.is_driven(drive.id)
+    show.world.parts(drive.id).is_driven()
 }
 
 pub(super) fn side(hand: Hand) -> BodySide {

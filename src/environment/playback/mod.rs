@@ -200,11 +200,11 @@ impl Player {
             BodyMotion::Turn(feet) => self.turn(show, feet),
             BodyMotion::Take(hand, id, side) => self.take(show, (*hand, *side), *id, before),
             BodyMotion::Nudge(parts) => {
-                parts.iter().for_each(|(id, part, open)| drop(show.world.put_open(*id, *part, *open)));
+                parts.iter().for_each(|(id, part, open)| drop(show.world.put_open(*id, Some(*part), *open)));
                 true
             }
             BodyMotion::Steady(things) => {
-                things.iter().for_each(|id| drop(show.world.pin(*id)));
+                things.iter().for_each(|id| drop(show.world.pin(*id, None)));
                 true
             }
             BodyMotion::Push(moved) => {
@@ -228,9 +228,9 @@ impl Player {
             BodyMotion::Rest(id, lying, seat) => self.settle(show, before, |show| {
                 let world = &mut show.world;
                 drop(match seat {
-                    Some(seat) => world.sit_at(agent, *id, *seat),
+                    Some(seat) => world.sit(agent, *id, Some(*seat)),
                     None if *lying => world.lie(agent, *id),
-                    None => world.sit(agent, *id),
+                    None => world.sit(agent, *id, None),
                 });
             }),
             BodyMotion::GetUp(feet) => self.settle(show, before, |show| drop(show.world.teleport(agent, *feet))),

@@ -25,12 +25,12 @@ impl Player {
     pub(super) fn settle(&mut self, show: &mut Environment, before: f32, act: impl FnOnce(&mut Environment)) -> bool {
         if before == 0.0 {
             let (was, skeleton) = (self.feet(show), show.skeleton(self.agent));
-            let grips = Hand::BOTH.map(|hand| show.world.grip(self.agent, hand));
+            let grips = Hand::BOTH.map(|hand| show.world.agent(self.agent).ok().and_then(|agent| agent.grip(hand)));
             act(show);
             self.come_true(show);
             let moved = self.feet(show).inverse() * was;
             let held = Hand::BOTH.into_iter().zip(grips).filter_map(|(hand, grip)| {
-                let now = show.world.grip(self.agent, hand)?;
+                let now = show.world.agent(self.agent).ok()?.grip(hand)?;
                 Some((hand, moved * grip?, now))
             });
             let held = held.collect();

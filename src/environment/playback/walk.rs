@@ -44,7 +44,7 @@ impl Player {
         feet: &Pose,
         run: bool,
     ) -> bool {
-        let plan = show.world.body_plan(self.agent).copied().unwrap_or_default();
+        let plan = show.world.agent(self.agent).map(|agent| *agent.plan()).unwrap_or_default();
         let way = self.time * if run { plan.run } else { plan.walk };
         if self.doors.is_empty() {
             self.doors = doors.iter().filter_map(|door| Some((*door, passage(show, points, *door)?))).collect();
@@ -59,7 +59,7 @@ impl Player {
                 return false;
             }
             let left = std::mem::take(&mut self.doors);
-            left.into_iter().for_each(|(door, passage)| drop(show.world.put_all_open(door, passage.was)));
+            left.into_iter().for_each(|(door, passage)| drop(show.world.put_open(door, None, passage.was)));
             return true;
         };
         self.swing_doors(show, way);
@@ -87,7 +87,7 @@ impl Player {
     fn swing_doors(&self, show: &mut Environment, way: f32) -> bool {
         let (step, mut moving) = (SWING * show.world.settings().dt, false);
         for (&door, passage) in &self.doors {
-            let Some(now) = show.world.openness(door) else { continue };
+            let Some(now) = show.world.parts(door).openness() else { continue };
             let wanted = if way > passage.at + AT_DOOR.1 {
                 passage.was
             } else if way > passage.at - AT_DOOR.0 {
@@ -96,7 +96,7 @@ impl Player {
                 now
             };
             let next = now + (wanted - now).clamp(-step, step);
-            moving |= (wanted - now).abs() > STILL && show.world.put_all_open(door, next).is_ok();
+            moving |= (wanted - now).abs() > STILL && show.world.put_open(door, None, next).is_ok();
         }
         moving
     }
@@ -105,7 +105,7 @@ impl Player {
 /// The position at which a path passes a door. Anything but a door between rooms is shut before the walker
 /// arrives.
 fn passage(show: &Environment, points: &[Point2<f32>], door: NodeId) -> Option<Passage> {
-    let (middle, was) = (show.world.aabb(door)?.centre().xy(), show.world.openness(door)?);
+    let (middle, was) = (show.world.aabb(door)?.centre().xy(), show.world.parts(door).openness()?);
     let length: f32 = points.windows(2).map(|pair| (pair[1] - pair[0]).norm()).sum();
     let far = |at: f32| along(points, at).map(|(p, _)| ((p - middle).norm(), at));
     let all = (0..=(length / FINE) as u32).filter_map(|i| far(i as f32 * FINE));

@@ -26,13 +26,13 @@ fn rebuilt(home: &Environment) -> SceneGraph {
     let carried = world.nodes().into_iter().filter(|id| world.role(*id) == Some(BodyRole::Carried));
     let mut evidence = Evidence::default().carrying(carried);
     for id in world.nodes() {
-        let turned = (0..).zip(world.moving_parts(id)).filter(|(_, part)| part.position != 0.0);
+        let turned = (0..).zip(world.parts(id).all()).filter(|(_, part)| part.position != 0.0);
         evidence.positions.extend(turned.map(|(joint, part)| ((id, joint), part.position)));
     }
     let relations = Relations::new(home.graph(), RelationRule::Contacts, evidence).unwrap();
     let mut graph = home.graph().clone();
     let all: Vec<NodeId> = graph.nodes().map(Node::id).collect();
-    let is_open = |id: NodeId| world.moving_parts(id).iter().any(|part| part.position != 0.0);
+    let is_open = |id: NodeId| world.parts(id).all().iter().any(|part| part.position != 0.0);
     let places = |graph: &SceneGraph, id: NodeId| graph.places(id).collect::<Vec<Place>>();
     let rests = |p: &Place| matches!(p.relation, Relation::On | Relation::Inside);
     let kept = |graph: &SceneGraph, id| Some(places(graph, id)).filter(|all| is_open(id) && all.iter().all(rests));
@@ -135,9 +135,9 @@ fn doors_swing_past_who_opens_them() {
         let within: Vec<NodeId> = copy.graph().relating(Relation::Inside, fridge).collect();
         act(&mut copy, me, Verb::Walk, &[fridge]);
         act(&mut copy, me, Verb::Open, &[fridge]);
-        assert!(copy.world().openness(fridge) > Some(0.9));
+        assert!(copy.world().parts(fridge).openness() > Some(0.9));
         assert!(copy.graph().relating(Relation::Inside, fridge).eq(within));
-        assert_eq!(copy.world().can_stand(me, &copy.world().pose(me).unwrap()), Ok(true));
+        assert_eq!(copy.world().standing(me, &copy.world().pose(me).unwrap()).map(|there| there.is_free()), Ok(true));
     }
 }
 
@@ -275,7 +275,7 @@ fn seats_stay_below_who_sits_on_them() {
     assert_eq!(taken, Err(AgentError::Occupied { seat: stool, by: sitter }));
     world.stand_up(sitter).unwrap();
     world.grab(other, Hand::Right, stool).unwrap();
-    assert_eq!(world.sit(sitter, stool), Err(AgentError::Held(stool)));
+    assert_eq!(world.sit(sitter, stool, None), Err(AgentError::Held(stool)));
 }
 
 /// The error about a door that does not open names the objects in its way.

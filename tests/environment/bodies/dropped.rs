@@ -59,8 +59,8 @@ fn dropped(of: &'static Generator, seeds: u64, fall: &Fall) -> (PhysicsWorld, Ve
 fn faults(of: &'static Generator, seeds: u64, fall: &Fall) -> (usize, usize) {
     let (mut world, things) = dropped(of, seeds, fall);
     world.settle(fall.patience * SECOND);
-    let below = |id: &&NodeId| world.centre_of_mass(**id).is_none_or(|c| c.z < -fall.thick);
-    (things.iter().filter(|id| !world.is_asleep(**id)).count(), things.iter().filter(below).count())
+    let below = |id: &&NodeId| world.body(**id).is_ok_and(|body| body.centre_of_mass().z < -fall.thick);
+    (things.iter().filter(|id| !world.body(**id).unwrap().is_asleep()).count(), things.iter().filter(below).count())
 }
 
 /// Every thirtieth class, and some whose objects once rocked forever.
@@ -112,11 +112,11 @@ fn balls_roll() {
         let (mut world, balls) = dropped(generator(class).unwrap(), 3, &LET_GO);
         world.settle(10 * SECOND);
         for id in balls {
-            let (from, radius) = (world.centre_of_mass(id).unwrap(), world.centre_of_mass(id).unwrap().z);
+            let (from, radius) = (world.body(id).unwrap().centre_of_mass(), world.body(id).unwrap().centre_of_mass().z);
             world.set_velocity(id, Vector3::y() * 1.5, Vector3::x() * (-1.5 / radius)).unwrap();
             world.settle(40 * SECOND);
-            let way = (world.centre_of_mass(id).unwrap() - from).norm();
-            assert!((1.5..25.0).contains(&way) && world.is_asleep(id), "{class}: {way:.2} m");
+            let way = (world.body(id).unwrap().centre_of_mass() - from).norm();
+            assert!((1.5..25.0).contains(&way) && world.body(id).unwrap().is_asleep(), "{class}: {way:.2} m");
         }
     }
 }

@@ -68,7 +68,7 @@ impl Side {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[non_exhaustive]
 pub enum AimPart {
-    /// A place to sit, counted from 1 in the order of `PhysicsWorld::seats`.
+    /// A place to sit, counted from 1 in the order of `BodyView::seats`.
     Seat(u16),
     /// One of the level surfaces in or on a thing, counted from 1 in the order of its asset.
     Slot(u16),

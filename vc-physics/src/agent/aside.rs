@@ -5,9 +5,9 @@ use rapier3d::pipeline::QueryFilter;
 use vc_graph::{NodeId, Pose};
 
 use super::room::standing_capsule;
+use crate::group;
 use crate::state::{Agent, Thing};
 use crate::world::PhysicsWorld;
-use crate::{AgentError, group};
 
 /// The opening at which a part that gives way stays at least, as a fraction of its range.
 const AJAR: f32 = 0.1;
@@ -17,41 +17,28 @@ const POSITIONS: u8 = 18;
 /// Moving parts by node and number, and the opening that each would have, 0 to 1.
 pub type PartsToMoveAside = Vec<(NodeId, usize, f32)>;
 
-/// # Doors and drawers that give way
+/// Whether doors between rooms that are shut give way to an agent too.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ShutDoors {
+    /// They stay shut.
+    Stay,
+    /// Those that are not locked open.
+    Open,
+}
+
 impl PhysicsWorld {
-    /// The open moving parts that would have to give way so that an agent could stand with its feet at a pose, by
-    /// node and part, with the opening that each would have then, at least a tenth of its range. Empty if the agent
-    /// stands free already; `None` if anything else is in the way, or a part has no such position.
-    ///
-    /// [`put_open`](Self::put_open) moves them. Costs some microseconds, and as much for each tested position.
-    ///
-    /// # Errors
-    /// [`AgentError::NoSuchAgent`].
-    pub fn parts_to_move_aside(&self, agent: NodeId, feet: &Pose) -> Result<Option<PartsToMoveAside>, AgentError> {
-        self.parts_moved(agent, feet, false)
-    }
-
-    /// As [`parts_to_move_aside`](Self::parts_to_move_aside); doors between rooms that are shut but not locked give
-    /// way too, and stand open then.
-    ///
-    /// # Errors
-    /// [`AgentError::NoSuchAgent`].
-    pub fn doors_to_move_aside(&self, agent: NodeId, feet: &Pose) -> Result<Option<PartsToMoveAside>, AgentError> {
-        self.parts_moved(agent, feet, true)
-    }
-
-    fn parts_moved(&self, agent: NodeId, feet: &Pose, opens: bool) -> Result<Option<PartsToMoveAside>, AgentError> {
-        let body = self.agent(agent)?;
+    /// The moving parts that would have to give way so that a body could stand at a pose.
+    pub(crate) fn parts_to_move_aside(&self, body: &Agent, feet: &Pose, shut: ShutDoors) -> Option<PartsToMoveAside> {
         let aside = |(id, link): (NodeId, usize)| {
             let part = link.checked_sub(1)?;
-            let opens = opens && self.is_unlocked_door(id, part);
+            let opens = shut == ShutDoors::Open && self.is_unlocked_door(id, part);
             Some((id, part, self.part_aside(body, feet, id, part, if opens { 0.0 } else { AJAR })?))
         };
         let overlapped = self.overlapped_at(body, feet);
         // The contents of a drawer move with it.
         let parts = overlapped.iter().filter_map(|(id, link)| Some((id, link.checked_sub(1)?)));
         let load: Vec<NodeId> = parts.flat_map(|(id, part)| self.load_of_part(*id, part)).collect();
-        Ok(overlapped.into_iter().filter(|(id, _)| !load.contains(id)).map(aside).collect())
+        overlapped.into_iter().filter(|(id, _)| !load.contains(id)).map(aside).collect()
     }
 
     /// Whether a part is the leaf of a door between rooms and not locked.

@@ -27,7 +27,7 @@ impl PhysicsWorld {
     /// # let home = vc_testkit::kitchen::kitchen();
     /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
     /// world.teleport(home.person, vc_graph::Pose::translation(0.6, 1.5, 0.0))?;
-    /// world.sit(home.person, home.chair)?;
+    /// world.sit(home.person, home.chair, None)?;
     /// world.stand_up(home.person)?;
     /// assert_eq!(world.posture(home.person), Some(vc_physics::Posture::Standing));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -37,13 +37,21 @@ impl PhysicsWorld {
         self.teleport(agent, exit)
     }
 
-    /// The nearest free place beside the seat of an agent that a condition admits, to which it can get up: that
-    /// from there a way leads on, as [`Floor::route`](crate::Floor::route) says.
-    ///
-    /// # Errors
-    /// As [`Self::stand_up`].
-    pub fn exit_where(&self, agent: NodeId, admits: impl Fn(&Pose) -> bool) -> Result<Pose, AgentError> {
-        let body = self.agent(agent)?;
+    /// Gets up all agents that sit or lie on a thing: to the nearest free place, or where they are.
+    pub(crate) fn clear_seat(&mut self, id: NodeId) {
+        let on_it = |(agent, body): (&NodeId, &Agent)| {
+            body.posture.seat().is_some_and(|(seat, _)| seat == id).then_some((*agent, body.feet))
+        };
+        for (agent, feet) in self.agents.iter().filter_map(on_it).collect::<Vec<_>>() {
+            let exit = self.exit_where(agent, |_| true).unwrap_or(feet);
+            // It is there, and its pose is sound.
+            let _ = self.teleport(agent, exit);
+        }
+    }
+
+    /// The nearest free place beside the seat of an agent that a condition admits, to which it can get up.
+    pub(crate) fn exit_where(&self, agent: NodeId, admits: impl Fn(&Pose) -> bool) -> Result<Pose, AgentError> {
+        let body = self.agent_state(agent)?;
         let Some((seat, _)) = body.posture.seat() else {
             return Err(AgentError::Posture { agent, posture: Posture::Standing.as_str() });
         };

@@ -54,23 +54,8 @@ impl PhysicsWorld {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn grab(&mut self, agent: NodeId, hand: Hand, id: NodeId) -> Result<(), AgentError> {
-        self.grab_where(agent, hand, id, |_| true)
-    }
-
-    /// As [`Self::grab`]; among the things on it, only those that satisfy a condition come along. The others are left
-    /// behind, and fall if nothing else carries them.
-    ///
-    /// # Errors
-    /// As [`Self::grab`].
-    pub fn grab_where(
-        &mut self,
-        agent: NodeId,
-        hand: Hand,
-        id: NodeId,
-        comes: impl Fn(NodeId) -> bool,
-    ) -> Result<(), AgentError> {
         self.check_reach(agent, id)?;
-        let load: Vec<NodeId> = self.load_on(id).into_iter().filter(|load| comes(*load)).collect();
+        let load = self.load_on(id);
         self.take(agent, hand, id, &load, None)
     }
 
@@ -104,7 +89,7 @@ impl PhysicsWorld {
         side: Option<Side>,
     ) -> Result<(), AgentError> {
         self.check_may_take(agent, hand, id)?;
-        let (body, thing) = (self.agent(agent)?, self.thing(id)?);
+        let (body, thing) = (self.agent_state(agent)?, self.thing(id)?);
         let pose = self.engine.pose(thing.state.base).unwrap_or_else(Pose::identity);
         let grip = grip(body, (hand, side), &pose, thing.form.extent);
         let pinned = |load: NodeId| self.role(load) == Some(BodyRole::Hung);
@@ -122,16 +107,17 @@ impl PhysicsWorld {
 
     /// Whether a hand is free and the agent may take a thing: it is loose, light enough, and nobody sits on it.
     fn check_may_take(&self, agent: NodeId, hand: Hand, id: NodeId) -> Result<(), AgentError> {
-        let body = self.agent(agent)?;
+        let body = self.agent_state(agent)?;
         if let Some(held) = &body.hands[hand as usize] {
             return Err(AgentError::HandFull { agent, held: held.id });
         }
-        match self.thing(id)?.state.role {
+        let thing = self.thing(id)?;
+        match thing.state.role {
             BodyRole::Loose | BodyRole::Hung => {}
             BodyRole::Carried => return Err(AgentError::Held(id)),
             BodyRole::Fixed | BodyRole::Stopped => return Err(PhysicsError::NotFree(id).into()),
         }
-        let (mass, limit) = (self.mass(id).unwrap_or(0.0), body.plan.carries);
+        let (mass, limit) = (thing.mass(), body.plan.carries);
         if mass > limit {
             return Err(AgentError::TooHeavy { id, mass, limit });
         }
@@ -145,12 +131,6 @@ impl PhysicsWorld {
     /// The things that rest on a thing, directly or through others; nothing where it has no body.
     pub(crate) fn load_on(&self, id: NodeId) -> Vec<NodeId> {
         self.thing(id).map_or_else(|_| Vec::new(), |thing| self.load_of(thing.state.base))
-    }
-
-    /// The pose of the thing in a hand, relative to the agent's feet or its seat.
-    pub fn grip(&self, agent: NodeId, hand: Hand) -> Option<Pose> {
-        let body = self.agents.get(&agent)?;
-        body.hands[hand as usize].as_ref().map(|h| body.lap() * h.grip)
     }
 
     /// Changes the pose of the thing in a hand relative to the agent's feet: before the mouth, over a pan. The thing is
@@ -169,7 +149,7 @@ impl PhysicsWorld {
         Ok(())
     }
 
-    /// Puts the thing in a hand down at a pose, at rest; [`free_spot`](Self::free_spot) finds one. The pose has to be
+    /// Puts the thing in a hand down at a pose, at rest; [`SpotSearch`](crate::SpotSearch) finds one. The pose has to be
     /// free, and within reach of the shoulder.
     ///
     /// # Errors
@@ -179,22 +159,22 @@ impl PhysicsWorld {
     /// ```
     /// # let home = vc_testkit::kitchen::kitchen();
     /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
-    /// use vc_physics::{Hand, SpotOrder};
+    /// use vc_physics::{Hand, SpotOrder, SpotSearch};
     /// world.teleport(home.person, vc_graph::Pose::translation(0.3, 0.0, 0.0))?;
     /// world.grab(home.person, Hand::Right, home.cup)?;
     /// let near = SpotOrder::Near(nalgebra::Point3::new(0.7, 0.0, 0.74));
-    /// let spot = world.free_spot_at(home.cup, home.table, false, near)?.ok_or("the table is full")?;
+    /// let spot = SpotSearch::new(home.cup, home.table, false).order(near).find(&world)?.ok_or("the table is full")?;
     /// world.put(home.person, Hand::Right, spot)?;
     /// assert_eq!(world.held(home.person, Hand::Right), None);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn put(&mut self, agent: NodeId, hand: Hand, pose: Pose) -> Result<NodeId, AgentError> {
-        let body = self.agent(agent)?;
+        let body = self.agent_state(agent)?;
         let id = body.hands[hand as usize].as_ref().ok_or(AgentError::HandEmpty(agent))?.id;
         if let Some(&other) = self.overlaps(id, &pose)?.first() {
             return Err(PhysicsError::Overlap { id, other }.into());
         }
-        let (distance, reach) = (self.put_distance(agent, &body.feet, id, &pose)?, body.plan.reach);
+        let (distance, reach) = (self.put_distance(body, &body.feet, self.thing(id)?, &pose), body.plan.reach);
         if distance > reach {
             return Err(AgentError::OutOfReach { agent, id, distance, reach });
         }
@@ -203,7 +183,7 @@ impl PhysicsWorld {
 
     /// Puts the thing in a hand back to its pose in another moment of this world, which need not be free: the thing is
     /// pinned there to its former support or container, or to the moving part that carried it.
-    /// [`former_spot`](Self::former_spot) finds the pose.
+    /// [`former_spot`](crate::BodyView::former_spot) finds the pose.
     ///
     /// # Errors
     /// [`AgentError::HandEmpty`], [`AgentError::OutOfReach`], [`PhysicsError::NoBody`], [`PhysicsError::NotFinite`].
@@ -215,17 +195,17 @@ impl PhysicsWorld {
         at: NodeId,
     ) -> Result<NodeId, AgentError> {
         self.thing(at)?;
-        let body = self.agent(agent)?;
+        let body = self.agent_state(agent)?;
         let id = body.hands[hand as usize].as_ref().ok_or(AgentError::HandEmpty(agent))?.id;
         if !convert::is_sound(&pose) {
             return Err(PhysicsError::NotFinite("the pose", id).into());
         }
-        let (distance, reach) = (self.put_distance(agent, &body.feet, id, &pose)?, body.plan.reach);
+        let (distance, reach) = (self.put_distance(body, &body.feet, self.thing(id)?, &pose), body.plan.reach);
         if distance > reach {
             return Err(AgentError::OutOfReach { agent, id, distance, reach });
         }
         self.free_hand(agent, hand, Some(pose))?;
-        self.pin_to(id, at)?;
+        self.pin(id, Some(at))?;
         self.thing_mut(id)?.state.rides = Some((at, then.link_below(id, at)));
         Ok(id)
     }
@@ -247,7 +227,7 @@ impl PhysicsWorld {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn drop(&mut self, agent: NodeId, hand: Hand) -> Result<NodeId, AgentError> {
-        let body = self.agent(agent)?;
+        let body = self.agent_state(agent)?;
         let held = body.hands[hand as usize].as_ref().ok_or(AgentError::HandEmpty(agent))?;
         let (id, feet, grip) = (held.id, body.feet, body.lap() * held.grip);
         let mut blocked = None;
@@ -271,7 +251,7 @@ impl PhysicsWorld {
             if self.set_role(id, BodyRole::Loose).is_ok() {
                 self.place(id, at)?;
                 if pinned {
-                    self.pin_to(id, held.id)?;
+                    self.pin(id, Some(held.id))?;
                 }
             }
         }

@@ -4,7 +4,6 @@ mod aside;
 mod avoid;
 mod exit;
 mod hands;
-mod lead;
 mod reach;
 mod room;
 mod seat;
@@ -20,7 +19,8 @@ use crate::state::{Agent, BodyPlan, Hand, Motion, Posture, upright};
 use crate::world::PhysicsWorld;
 use crate::{AgentError, PhysicsError, convert, group};
 
-pub use aside::PartsToMoveAside;
+pub use aside::{PartsToMoveAside, ShutDoors};
+pub(crate) use reach::point_distance;
 pub use walk::WalkState;
 
 /// # Agents
@@ -103,11 +103,6 @@ impl PhysicsWorld {
         self.agents.keys().copied()
     }
 
-    /// The build of an agent's body.
-    pub fn body_plan(&self, id: NodeId) -> Option<&BodyPlan> {
-        self.agents.get(&id).map(|a| &a.plan)
-    }
-
     /// The posture of an agent's body.
     ///
     /// ```
@@ -135,7 +130,7 @@ impl PhysicsWorld {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn teleport(&mut self, id: NodeId, feet: Pose) -> Result<(), AgentError> {
-        self.agent(id)?;
+        self.agent_state(id)?;
         if !convert::is_sound(&feet) {
             return Err(PhysicsError::NotFinite("the pose", id).into());
         }
@@ -143,7 +138,7 @@ impl PhysicsWorld {
         let agent = self.agent_mut(id)?;
         agent.feet = upright(&feet);
         agent.posture = Posture::Standing;
-        agent.walk.end();
+        agent.walk = Motion::Still;
         (agent.velocity, agent.fall, agent.grounded) = ([0.0; 2], 0.0, false);
         self.step_up(id);
         self.embody(id, true);

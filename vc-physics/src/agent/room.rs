@@ -8,9 +8,9 @@ use rapier3d::parry::shape::Capsule;
 use rapier3d::pipeline::QueryFilter;
 use vc_graph::{NodeId, Pose};
 
-use crate::state::{Agent, BodyPlan, Posture};
+use crate::state::{Agent, BodyPlan, Posture, Thing};
 use crate::world::PhysicsWorld;
-use crate::{AgentError, PhysicsError, convert, group};
+use crate::{PhysicsError, convert, group};
 
 /// How much of its radius is the middle of a body.
 const SLIM: f32 = 0.5;
@@ -18,56 +18,28 @@ const SLIM: f32 = 0.5;
 /// # Room for a body
 impl PhysicsWorld {
     /// Whether an agent stands in a thing: the thing meets its middle, and not only its sides.
-    pub fn is_stuck(&self, agent: NodeId) -> bool {
-        self.agents.get(&agent).filter(|a| a.posture == Posture::Standing).is_some_and(|a| {
-            let slim = BodyPlan { radius: SLIM * a.plan.radius, ..a.plan };
-            !self.has_room(&slim, &a.feet, |c| !self.agents.contains_key(&group::marked(c.user_data).0))
-        })
+    pub(crate) fn is_stuck(&self, body: &Agent) -> bool {
+        let slim = BodyPlan { radius: SLIM * body.plan.radius, ..body.plan };
+        let thing = |c: &Collider| !self.agents.contains_key(&group::marked(c.user_data).0);
+        body.posture == Posture::Standing && !self.has_room(&slim, &body.feet, thing)
     }
 
-    /// Whether an agent would stand free with its feet at a pose, so that its body overlaps nothing a little
-    /// above the floor.
-    ///
-    /// # Errors
-    /// [`AgentError::NoSuchAgent`].
-    ///
-    /// ```
-    /// # let home = vc_testkit::kitchen::kitchen();
-    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
-    /// use vc_graph::Pose;
-    /// assert!(world.can_stand(home.person, &Pose::translation(0.0, -1.0, 0.0))?);
-    /// assert!(!world.can_stand(home.person, &Pose::translation(1.0, 0.0, 0.0))?); // The table is there.
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    pub fn can_stand(&self, agent: NodeId, feet: &Pose) -> Result<bool, AgentError> {
-        Ok(self.fits(self.agent(agent)?, feet))
-    }
-
-    /// The things and agents that an agent would overlap with its feet at a pose; none if it
-    /// [can stand](Self::can_stand) there.
-    ///
-    /// # Errors
-    /// [`AgentError::NoSuchAgent`].
-    pub fn obstacles_at(&self, agent: NodeId, feet: &Pose) -> Result<Vec<NodeId>, AgentError> {
-        let mut found: Vec<NodeId> =
-            self.overlapped_at(self.agent(agent)?, feet).into_iter().map(|(id, _)| id).collect();
+    /// The things and agents that an agent would overlap with its feet at a pose.
+    pub(crate) fn obstacles_at(&self, body: &Agent, feet: &Pose) -> Vec<NodeId> {
+        let mut found: Vec<NodeId> = self.overlapped_at(body, feet).into_iter().map(|(id, _)| id).collect();
         found.dedup();
-        Ok(found)
+        found
     }
 
-    /// Whether an agent would stand free with its feet at a pose while the moving parts of a node are open by
-    /// each of some fractions of their range (0 closed, 1 open).
-    ///
-    /// # Errors
-    /// [`AgentError::NoSuchAgent`]; otherwise as [`PhysicsWorld::drive`].
-    pub fn can_stand_with_open(
+    /// Whether an agent would stand free with its feet at a pose while the moving parts of a node are open by each of
+    /// some fractions of their range.
+    pub(crate) fn fits_with_open(
         &self,
-        agent: NodeId,
+        body: &Agent,
         feet: &Pose,
         id: NodeId,
         open: &[f32],
-    ) -> Result<bool, AgentError> {
-        let body = self.agent(agent)?;
+    ) -> Result<bool, PhysicsError> {
         for part in 0..self.thing(id)?.state.moving.len() {
             for &open in open {
                 if self.meets_part(body, feet, id, part, open)? {
@@ -116,26 +88,21 @@ impl PhysicsWorld {
     }
 
     /// Whether a thing at a pose would be clear of a body that stands with its feet somewhere.
-    ///
-    /// # Errors
-    /// [`AgentError::NoSuchAgent`], [`PhysicsError::NoBody`](crate::PhysicsError::NoBody).
-    pub fn is_clear_of_body(&self, agent: NodeId, feet: &Pose, id: NodeId, pose: &Pose) -> Result<bool, AgentError> {
-        let (shape, at) = standing_capsule(&self.agent(agent)?.plan, feet);
-        let mut solid = self.thing(id)?.form.links.iter().filter_map(|link| link.solid.as_ref());
+    pub(crate) fn is_clear_of_body(&self, body: &Agent, feet: &Pose, thing: &Thing, pose: &Pose) -> bool {
+        let (shape, at) = standing_capsule(&body.plan, feet);
+        let mut solid = thing.form.links.iter().filter_map(|link| link.solid.as_ref());
         let meets = |part: &(SharedShape, EnginePose)| {
             let between = at.inv_mul(&(convert::pose(pose) * part.1));
             let contact = query::contact(&EnginePose::IDENTITY, &shape, &between, &*part.0, 0.0);
             contact.ok().flatten().is_some()
         };
-        Ok(!solid.any(meets))
+        !solid.any(meets)
     }
 
     /// Whether an agent stands beside all floors, where there is no ground below.
-    pub fn is_off_floor(&self, agent: NodeId) -> bool {
-        self.agents.get(&agent).is_some_and(|a| {
-            let standing = a.posture == Posture::Standing;
-            standing && self.is_over_nothing(&(a.feet * Point3::new(0.0, 0.0, a.plan.height / 2.0)), a.body)
-        })
+    pub(crate) fn is_off_floor(&self, body: &Agent) -> bool {
+        let middle = body.feet * Point3::new(0.0, 0.0, body.plan.height / 2.0);
+        body.posture == Posture::Standing && self.is_over_nothing(&middle, body.body)
     }
 }
 

@@ -9,7 +9,7 @@ use vc_graph::portable::Portable;
 use vc_graph::{NodeId, Pose};
 
 use crate::convert::facing;
-use crate::state::{Posture, Thing, upright};
+use crate::state::{Motion, Posture, Thing, upright};
 use crate::world::PhysicsWorld;
 use crate::{AgentError, BodyRole, PhysicsError, convert};
 
@@ -31,29 +31,8 @@ const FLAT: f32 = 0.25;
 
 /// # Seats and beds
 impl PhysicsWorld {
-    /// Places to sit on a node, in the world's frame, metres: the middle of each seat, with X towards its
-    /// front. Their number is that of the node's slots, at least one. They are distributed over the asset's
-    /// level surfaces at the height of seats, or side by side on its box.
-    ///
-    /// ```
-    /// # let home = vc_testkit::kitchen::kitchen();
-    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
-    /// let seats = world.seats(home.chair);
-    /// assert_eq!(seats.len(), 1);
-    /// assert!((seats[0].translation.z - 0.45).abs() < 1e-5);
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    pub fn seats(&self, id: NodeId) -> Vec<Pose> {
-        self.thing(id).map(|t| self.places_on(t, false)).unwrap_or_default()
-    }
-
-    /// Places to lie on a node, in the world's frame, metres: the middle of each, with X along the body towards
-    /// the feet. Their number is that of the node's slots, at least one.
-    pub fn beds(&self, id: NodeId) -> Vec<Pose> {
-        self.thing(id).map(|t| self.places_on(t, true)).unwrap_or_default()
-    }
-
-    fn places_on(&self, thing: &Thing, lying: bool) -> Vec<Pose> {
+    /// Places to sit or to lie on a thing, in the world's frame.
+    pub(crate) fn places_on(&self, thing: &Thing, lying: bool) -> Vec<Pose> {
         let Some(pose) = self.engine.pose(thing.state.base) else { return Vec::new() };
         let (levels, count) = (levels(thing, lying), if lying { thing.places.beds } else { thing.places.seats });
         let shares = share_out(&levels, count);
@@ -61,52 +40,44 @@ impl PhysicsWorld {
         each.map(|place| pose * place).collect()
     }
 
-    /// Sits an agent down on the nearest free place of a node. Cushions, covers and other light or flat things
-    /// do not occupy a place: agents sit on them.
+    /// Sits an agent down on a node: on one of its [`seats`](crate::BodyView::seats), counted from 0, or on the nearest
+    /// free one. Cushions, covers and other light or flat things do not occupy a place: agents sit on them.
     ///
     /// # Errors
     /// [`AgentError::Posture`] if the agent does not stand, [`AgentError::NoSeat`], [`AgentError::OutOfReach`],
     /// [`AgentError::SeatTaken`] by other agents, [`AgentError::SeatCovered`] by things, [`AgentError::Held`]
-    /// if somebody carries the node.
+    /// if somebody carries the node; for a seat with a number [`AgentError::NoSuchSeat`], [`AgentError::PlaceTaken`].
     ///
     /// ```
     /// # let home = vc_testkit::kitchen::kitchen();
     /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
     /// use vc_physics::Posture;
     /// world.teleport(home.person, vc_graph::Pose::translation(0.6, 1.5, 0.0))?;
-    /// world.sit(home.person, home.chair)?;
+    /// let none = world.sit(home.person, home.chair, Some(1)).unwrap_err();
+    /// assert!(none.to_string().ends_with("has 1 seats: there is no seat 2"));
+    /// world.sit(home.person, home.chair, None)?;
     /// assert_eq!(world.posture(home.person), Some(Posture::Sitting(home.chair, 0)));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn sit(&mut self, agent: NodeId, on: NodeId) -> Result<(), AgentError> {
-        let places = self.seats(on);
-        self.settle_down(agent, on, &places, None, Posture::Sitting)
+    pub fn sit(&mut self, agent: NodeId, on: NodeId, seat: Option<u32>) -> Result<(), AgentError> {
+        let places = self.places_on(self.thing(on)?, false);
+        if let Some(seat) = seat {
+            self.check_seat(agent, on, seat, places.len())?;
+        }
+        self.settle_down(agent, on, &places, seat, Posture::Sitting)
     }
 
-    /// As [`Self::sit`], on one of the [`seats`](Self::seats), counted from 0.
-    ///
-    /// # Errors
-    /// As [`Self::sit`]; [`AgentError::NoSuchSeat`], [`AgentError::PlaceTaken`].
-    ///
-    /// ```
-    /// # let home = vc_testkit::kitchen::kitchen();
-    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
-    /// world.teleport(home.person, vc_graph::Pose::translation(0.6, 1.5, 0.0))?;
-    /// let none = world.sit_at(home.person, home.chair, 1).unwrap_err();
-    /// assert!(none.to_string().ends_with("has 1 seats: there is no seat 2"));
-    /// world.sit_at(home.person, home.chair, 0)?;
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    pub fn sit_at(&mut self, agent: NodeId, on: NodeId, seat: u32) -> Result<(), AgentError> {
-        let places = self.seats(on);
-        if places.len() <= seat as usize {
-            return Err(AgentError::NoSuchSeat { seat: on, number: seat.saturating_add(1), count: places.len() });
+    /// Whether a node has a seat, and nobody else is on it.
+    fn check_seat(&self, agent: NodeId, on: NodeId, seat: u32, count: usize) -> Result<(), AgentError> {
+        let number = seat.saturating_add(1);
+        if count <= seat as usize {
+            return Err(AgentError::NoSuchSeat { seat: on, number, count });
         }
-        let by = self.agents.iter().find(|(_, other)| other.posture.seat() == Some((on, seat))).map(|(id, _)| *id);
-        if let Some(by) = by.filter(|by| *by != agent) {
-            return Err(AgentError::PlaceTaken { seat: on, number: seat + 1, by });
+        let mut others = self.agents.iter().filter(|(other, _)| **other != agent);
+        match others.find(|(_, other)| other.posture.seat() == Some((on, seat))) {
+            Some((&by, _)) => Err(AgentError::PlaceTaken { seat: on, number, by }),
+            None => Ok(()),
         }
-        self.settle_down(agent, on, &places, Some(seat), Posture::Sitting)
     }
 
     /// Lays an agent down on a node.
@@ -114,7 +85,7 @@ impl PhysicsWorld {
     /// # Errors
     /// As [`Self::sit`].
     pub fn lie(&mut self, agent: NodeId, on: NodeId) -> Result<(), AgentError> {
-        let places = self.beds(on);
+        let places = self.places_on(self.thing(on)?, true);
         self.settle_down(agent, on, &places, None, Posture::Lying)
     }
 
@@ -153,18 +124,18 @@ impl PhysicsWorld {
         let body = self.agent_mut(agent)?;
         (body.stood, body.feet) = (body.feet, upright(&places[place as usize]));
         body.posture = posture(on, place);
-        body.walk.end();
+        body.walk = Motion::Still;
         self.embody(agent, true);
         Ok(())
     }
 
     /// The thing on a seat that is in the way of an agent's body.
     fn covers(&self, agent: NodeId, seat: NodeId, place: &Pose, posture: Posture) -> Option<NodeId> {
-        let (body, seat) = (self.agent(agent).ok()?, self.thing(seat).ok()?);
+        let (body, seat) = (self.agent_state(agent).ok()?, self.thing(seat).ok()?);
         let (shape, at, _) = body.plan.body(posture);
         let at = convert::pose(&upright(place)) * at;
         let stands = |id: &NodeId| self.aabb(*id).is_some_and(|b| b.max.z > place.translation.z + FLAT);
-        let heavy = |id: &NodeId| self.mass(*id).is_some_and(|mass| mass > LIGHT);
+        let heavy = |id: &NodeId| self.thing(*id).is_ok_and(|thing| thing.mass() > LIGHT);
         let meets = |id: &NodeId| {
             let bodies = self.thing(*id).into_iter().flat_map(Thing::bodies).filter_map(|b| self.engine.bodies.get(b));
             let colliders = bodies.flat_map(|b| b.colliders()).filter_map(|c| self.engine.colliders.get(*c));
@@ -178,12 +149,7 @@ impl PhysicsWorld {
         self.load_of(seat.state.base).into_iter().find(|id| stands(id) && heavy(id) && meets(id))
     }
 
-    /// The pose at which the feet of an agent that sits or lies stood before.
-    pub fn stood_before(&self, agent: NodeId) -> Option<Pose> {
-        self.agents.get(&agent).filter(|a| a.posture != Posture::Standing).map(|a| a.stood)
-    }
-
-    /// Sets the pose at which an agent that sits or lies [stood before](Self::stood_before), and with it the height at
+    /// Sets the pose at which an agent that sits or lies [stood before](crate::AgentView::stood_before), and with it the height at
     /// which it gets up: an agent may sit from the start.
     ///
     /// # Errors

@@ -4,10 +4,11 @@ use nalgebra::{Point3, UnitQuaternion, Vector3};
 use rapier3d::geometry::{Collider, SharedShape};
 use vc_graph::{NodeId, Pose, Side};
 
+use super::reach::point_distance;
 use crate::displaced::NONE;
-use crate::state::{Hand, Posture};
+use crate::state::{Hand, Thing};
 use crate::world::PhysicsWorld;
-use crate::{AgentError, PhysicsError, convert, group};
+use crate::{AgentError, convert, group};
 
 /// Half the thickness and half the width of a hand that takes hold, and its distance from the thing, metres.
 const HAND: Vector3<f32> = Vector3::new(0.015, 0.03, 0.03);
@@ -15,42 +16,20 @@ const OFF: f32 = 0.004;
 
 /// # Sides
 impl PhysicsWorld {
-    /// The middle of a side of the box around a thing, in the world's frame, and the direction out of it. `None`
-    /// without a body.
-    ///
-    /// ```
-    /// # let home = vc_testkit::kitchen::kitchen();
-    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
-    /// use vc_graph::Side;
-    /// let (top, up) = world.side_of(home.cup, Side::Top).ok_or("no body")?;
-    /// assert!(up.z > 0.999 && (top.z - 0.84).abs() < 2e-3);
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    pub fn side_of(&self, id: NodeId, side: Side) -> Option<(Point3<f32>, Vector3<f32>)> {
-        let (pose, out) = (self.pose(id)?, side.direction());
-        Some((pose * side_middle(self.local_bounds(id)?, side), pose.rotation * out))
+    /// The middle of a side of the box around a thing, in the world's frame, and the direction out of it.
+    pub(crate) fn side_of(&self, thing: &Thing, side: Side) -> (Point3<f32>, Vector3<f32>) {
+        let (pose, out) = (self.engine.pose(thing.state.base).unwrap_or_else(Pose::identity), side.direction());
+        (pose * side_middle(thing.form.extent, side), pose.rotation * out)
     }
 
     /// The things that leave no room for a hand at a side of a thing.
-    ///
-    /// # Errors
-    /// [`PhysicsError::NoBody`].
-    ///
-    /// ```
-    /// # let home = vc_testkit::kitchen::kitchen();
-    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
-    /// use vc_graph::Side;
-    /// assert!(world.things_at_side(home.cup, Side::Left)?.is_empty());
-    /// assert_eq!(world.things_at_side(home.table, Side::Top)?, [home.cup]);
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    pub fn things_at_side(&self, id: NodeId, side: Side) -> Result<Vec<NodeId>, PhysicsError> {
-        let (middle, out) = self.side_of(id, side).ok_or(PhysicsError::NoBody(id))?;
+    pub(crate) fn things_at_side(&self, thing: &Thing, side: Side) -> Vec<NodeId> {
+        let (middle, out) = self.side_of(thing, side);
         let turn = UnitQuaternion::rotation_between(&Vector3::x(), &out).unwrap_or_default();
         let at = convert::pose(&Pose::from_parts((middle.coords + out * (OFF + HAND.x)).into(), turn));
         let counts = |c: &Collider| {
             let other = group::marked(c.user_data).0;
-            group::is_solid(c) && other != id && !self.agents.contains_key(&other)
+            group::is_solid(c) && other != thing.id && !self.agents.contains_key(&other)
         };
         let (shape, mut found) = (SharedShape::cuboid(HAND.x, HAND.y, HAND.z), Vec::new());
         self.each_met((&shape, &at), &counts, &NONE, &mut |collider, _| {
@@ -59,21 +38,7 @@ impl PhysicsWorld {
         });
         found.sort_unstable();
         found.dedup();
-        Ok(found)
-    }
-
-    /// The distance from an agent's shoulder to a point, with its feet at a pose, metres; see
-    /// [`reach_distance`](Self::reach_distance).
-    ///
-    /// # Errors
-    /// [`AgentError::NoSuchAgent`].
-    pub fn point_distance(&self, agent: NodeId, feet: &Pose, point: Point3<f32>) -> Result<f32, AgentError> {
-        let body = self.agent(agent)?;
-        let arm = match body.posture {
-            Posture::Standing => super::reach::leaning(&body.plan, feet.translation.vector.into(), point),
-            _ => body.shoulder(),
-        };
-        Ok((point - arm).norm())
+        found
     }
 
     /// As [`grab_with_load`](Self::grab_with_load), by a side: the hand is at the middle of that side then.
@@ -100,13 +65,13 @@ impl PhysicsWorld {
         id: NodeId,
         load: &[NodeId],
     ) -> Result<(), AgentError> {
-        let (middle, _) = self.side_of(id, side).ok_or(PhysicsError::NoBody(id))?;
-        let (feet, reach) = (self.agent(agent)?.feet, self.agent(agent)?.plan.reach);
-        let distance = self.point_distance(agent, &feet, middle)?;
+        let (body, thing) = (self.agent_state(agent)?, self.thing(id)?);
+        let (middle, _) = self.side_of(thing, side);
+        let (distance, reach) = (point_distance(body, &body.feet, middle), body.plan.reach);
         if distance > reach {
             return Err(AgentError::OutOfReach { agent, id, distance, reach });
         }
-        if let Some(&by) = self.things_at_side(id, side)?.first() {
+        if let Some(&by) = self.things_at_side(thing, side).first() {
             return Err(AgentError::SideTaken { id, side, by });
         }
         let load = self.load_among(id, load);

@@ -25,8 +25,16 @@ pub enum WalkState {
     Walking,
     /// The agent gave up: something is in the way.
     Stuck,
-    /// The agent is [led](PhysicsWorld::lead): its feet are set from outside.
-    Led,
+}
+
+impl WalkState {
+    pub(crate) fn new(motion: &Motion) -> Self {
+        match motion {
+            Motion::Still => Self::Still,
+            Motion::Stuck => Self::Stuck,
+            Motion::Going(_) | Motion::Along { .. } => Self::Walking,
+        }
+    }
 }
 
 /// # Walking
@@ -73,7 +81,7 @@ impl PhysicsWorld {
     pub fn jump(&mut self, id: NodeId) -> Result<(), AgentError> {
         let speed = (2.0 * self.settings.gravity.max(0.0) * JUMP).sqrt();
         let agent = self.standing_mut(id)?;
-        if agent.grounded && agent.walk != Motion::Led {
+        if agent.grounded {
             (agent.grounded, agent.fall) = (false, -speed);
         }
         Ok(())
@@ -90,7 +98,7 @@ impl PhysicsWorld {
     /// use nalgebra::Point2;
     /// use vc_physics::WalkState;
     /// world.follow(home.person, &[Point2::new(0.0, -1.0), Point2::new(-0.5, -1.0)], false)?;
-    /// while world.walk(home.person)? == WalkState::Walking {
+    /// while world.agent(home.person)?.walk() == WalkState::Walking {
     ///     world.step();
     /// }
     /// assert!(world.pose(home.person).is_some_and(|feet| (feet.translation.x - -0.5).abs() < 0.05));
@@ -107,38 +115,18 @@ impl PhysicsWorld {
         Ok(())
     }
 
-    /// Turns a standing agent at once to face a point.
-    ///
-    /// # Errors
-    /// As [`Self::go`].
-    ///
-    /// ```
-    /// # let home = vc_testkit::kitchen::kitchen();
-    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
-    /// world.face(home.person, nalgebra::Point3::new(0.0, 1.5, 0.0))?;
-    /// let front = world.pose(home.person).ok_or("no body")?.rotation * nalgebra::Vector3::x();
-    /// assert!(front.y > 0.999);
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    pub fn face(&mut self, id: NodeId, point: Point3<f32>) -> Result<(), AgentError> {
-        let turned = self.turned_to(id, point)?;
-        self.turn(id, turned.rotation)
-    }
-
-    /// The pose of a standing agent's feet after [`face`](Self::face), while the world stays as it is.
-    ///
-    /// # Errors
-    /// As [`Self::go`].
-    pub fn turned_to(&self, id: NodeId, point: Point3<f32>) -> Result<Pose, AgentError> {
+    /// The pose of a standing agent's feet once it is turned to a point.
+    pub(crate) fn turned_to(&self, id: NodeId, point: Point3<f32>) -> Result<Pose, AgentError> {
         if !convert::is_finite(&point.coords) {
             return Err(PhysicsError::NotFinite("the point", id).into());
         }
-        let feet = self.standing(id)?.feet;
+        let feet = self.standing_agent(id)?.feet;
         let way = point.coords - feet.translation.vector;
         Ok(Pose::from_parts(feet.translation, facing(way.x, way.y)))
     }
 
     /// Turns a standing agent at once to an orientation, of which only the rotation around the vertical counts.
+    /// [`AgentView::turned_to`](crate::AgentView::turned_to) gives the one that faces a point.
     ///
     /// # Errors
     /// As [`Self::go`].
@@ -155,7 +143,7 @@ impl PhysicsWorld {
         if !rotation.coords.iter().all(|c| c.is_finite()) {
             return Err(PhysicsError::NotFinite("the orientation", id).into());
         }
-        self.standing(id)?;
+        self.standing_agent(id)?;
         let front = rotation * Vector3::x();
         // To the bit as it is, if it is about the vertical already.
         let upright = if rotation.i == 0.0 && rotation.j == 0.0 { rotation } else { facing(front.x, front.y) };
@@ -164,21 +152,8 @@ impl PhysicsWorld {
         Ok(())
     }
 
-    /// The state of an agent's walk.
-    ///
-    /// # Errors
-    /// [`AgentError::NoSuchAgent`].
-    pub fn walk(&self, id: NodeId) -> Result<WalkState, AgentError> {
-        Ok(match self.agent(id)?.walk {
-            Motion::Still => WalkState::Still,
-            Motion::Stuck => WalkState::Stuck,
-            Motion::Led => WalkState::Led,
-            Motion::Going(_) | Motion::Along { .. } => WalkState::Walking,
-        })
-    }
-
-    pub(crate) fn standing(&self, id: NodeId) -> Result<&Agent, AgentError> {
-        let agent = self.agent(id)?;
+    pub(crate) fn standing_agent(&self, id: NodeId) -> Result<&Agent, AgentError> {
+        let agent = self.agent_state(id)?;
         match agent.posture {
             Posture::Standing => Ok(agent),
             other => Err(AgentError::Posture { agent: id, posture: other.as_str() }),
@@ -186,7 +161,7 @@ impl PhysicsWorld {
     }
 
     pub(crate) fn standing_mut(&mut self, id: NodeId) -> Result<&mut Agent, AgentError> {
-        self.standing(id)?;
+        self.standing_agent(id)?;
         self.agent_mut(id)
     }
 
@@ -199,8 +174,7 @@ impl PhysicsWorld {
         for (id, wish) in wishes {
             let Some(agent) = self.agents.get(&id) else { continue };
             let still = wish == Vector2::zeros() && agent.grounded;
-            let walks = agent.posture == Posture::Standing && agent.walk != Motion::Led;
-            if walks && (!still || self.ticks.is_multiple_of(GLANCE)) {
+            if agent.posture == Posture::Standing && (!still || self.ticks.is_multiple_of(GLANCE)) {
                 self.stride(id, wish);
             } else if let Some(agent) = self.agents.get_mut(&id) {
                 agent.velocity = [0.0; 2];

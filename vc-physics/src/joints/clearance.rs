@@ -17,29 +17,14 @@ use crate::{BodyRole, PhysicsError, convert, group};
 const HALF: f32 = 0.5;
 
 impl PhysicsWorld {
-    /// Whether a node at a pose leaves room for what opens: no part of another node meets it between shut and
-    /// open, and its own parts meet nothing fixed until they are half open.
-    ///
-    /// Costs some microseconds, and some ten for each part nearby.
-    ///
-    /// # Errors
-    /// [`PhysicsError::NoBody`].
-    ///
-    /// ```
-    /// # let home = vc_testkit::kitchen::kitchen();
-    /// # let world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
-    /// let cup = world.pose(home.cup).ok_or("no cup")?;
-    /// assert!(world.leaves_openings_free(home.cup, &cup)?); // No door opens over the table.
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    pub fn leaves_openings_free(&self, id: NodeId, pose: &Pose) -> Result<bool, PhysicsError> {
-        let thing = self.thing(id)?;
+    /// Whether a thing at a pose leaves room for what opens.
+    pub(crate) fn leaves_openings_free(&self, thing: &Thing, pose: &Pose) -> bool {
         let meets_it = |shape: &SharedShape, at: &EnginePose| overlaps(thing, pose, shape, at);
-        let near = self.things.iter().filter(|other| other.id != id && self.may_open_into(other, thing, pose));
+        let near = self.things.iter().filter(|other| other.id != thing.id && self.may_open_into(other, thing, pose));
         let others = near.filter_map(|other| Some((other, self.engine.pose(other.state.base)?)));
         let mut bars = others.map(|(other, base)| self.meets_on_opening(other, &base, 1.0, &meets_it));
-        Ok(!bars.any(|bars| bars)
-            && !self.meets_on_opening(thing, pose, HALF, &|shape, at| self.meets_fixed(id, shape, at)))
+        !bars.any(|bars| bars)
+            && !self.meets_on_opening(thing, pose, HALF, &|shape, at| self.meets_fixed(thing.id, shape, at))
     }
 
     /// Whether the parts of one thing may reach another at a pose.
@@ -70,25 +55,8 @@ impl PhysicsWorld {
         })
     }
 
-    /// Whether a node at a pose in another would keep that from being shut: if it stands on a drawer or a rack, on the
-    /// way in, and otherwise where the open parts of the other have to go. Nothing keeps open what is shut, or has no
-    /// parts that move.
-    ///
-    /// Costs some microseconds for each open part.
-    ///
-    /// # Errors
-    /// [`PhysicsError::NoBody`].
-    ///
-    /// ```
-    /// # let home = vc_testkit::kitchen::kitchen();
-    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
-    /// use vc_physics::SpotOrder;
-    /// world.put_open(home.cabinet, 0, 1.0)?;
-    /// let spot = world.free_spot_at(home.cup, home.cabinet, true, SpotOrder::Middle)?.ok_or("the drawer is full")?;
-    /// assert!(!world.keeps_open(home.cup, home.cabinet, &spot)?);
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    pub fn keeps_open(&self, id: NodeId, at: NodeId, pose: &Pose) -> Result<bool, PhysicsError> {
+    /// Whether a node at a pose in another would keep that from being shut.
+    pub(crate) fn keeps_open(&self, id: NodeId, at: NodeId, pose: &Pose) -> Result<bool, PhysicsError> {
         let (thing, around) = (self.thing(id)?, self.thing(at)?);
         let carrier = self.part_below(around, thing, pose);
         let carried = carrier.and_then(|part| Some((part, self.shutting(around, part)?)));

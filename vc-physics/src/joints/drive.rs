@@ -42,7 +42,7 @@ impl PhysicsWorld {
     /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
     /// world.drive(home.cabinet, 0, 1.0)?;
     /// world.run(120);
-    /// assert!(world.openness(home.cabinet).is_some_and(|open| open > 0.98));
+    /// assert!(world.parts(home.cabinet).openness().is_some_and(|open| open > 0.98));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn drive(&mut self, id: NodeId, part: usize, open: f32) -> Result<(), PhysicsError> {
@@ -51,7 +51,7 @@ impl PhysicsWorld {
         let index = self.index(id)?;
         let patience = (PATIENCE / self.settings.dt) as u32;
         let thing = &mut self.things[index];
-        let Some(body) = thing.state.moving[part].body else { return self.put_open(id, part, open) };
+        let Some(body) = thing.state.moving[part].body else { return self.put_part(id, part, open) };
         let (moving, kind) = (&mut thing.state.moving[part], joint_kind(&thing.form.links[part + 1]));
         (moving.target, moving.patience, moving.latched) = (Some(target), patience, false);
         if let Some(rigid) = self.engine.bodies.get_mut(body) {
@@ -71,7 +71,7 @@ impl PhysicsWorld {
         Ok(())
     }
 
-    /// Opens or closes a part at once; the contents of a drawer move along.
+    /// Opens or closes a part at once, or every part of the node; the contents of a drawer move along.
     ///
     /// # Errors
     /// As [`Self::drive`].
@@ -79,11 +79,17 @@ impl PhysicsWorld {
     /// ```
     /// # let home = vc_testkit::kitchen::kitchen();
     /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
-    /// world.put_open(home.cabinet, 0, 0.5)?;
-    /// assert!((world.moving_parts(home.cabinet)[0].position - 0.15).abs() < 1e-4);
+    /// world.put_open(home.cabinet, Some(0), 0.5)?;
+    /// assert!((world.parts(home.cabinet).all()[0].position - 0.15).abs() < 1e-4);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn put_open(&mut self, id: NodeId, part: usize, open: f32) -> Result<(), PhysicsError> {
+    pub fn put_open(&mut self, id: NodeId, part: Option<usize>, open: f32) -> Result<(), PhysicsError> {
+        let count = self.thing(id)?.state.moving.len();
+        let mut parts = part.map_or(0..count, |part| part..part + 1);
+        parts.try_for_each(|part| self.put_part(id, part, open))
+    }
+
+    pub(super) fn put_part(&mut self, id: NodeId, part: usize, open: f32) -> Result<(), PhysicsError> {
         let target = self.target(id, part, open)?;
         let index = self.index(id)?;
         self.driven.retain(|d| *d != (id, part));
@@ -113,15 +119,6 @@ impl PhysicsWorld {
             None => base * joint.motion(moving.position),
         };
         Some((before, base * joint.motion(target)))
-    }
-
-    /// Opens or closes every part of a node at once.
-    ///
-    /// # Errors
-    /// As [`Self::drive`].
-    pub fn put_all_open(&mut self, id: NodeId, open: f32) -> Result<(), PhysicsError> {
-        let parts = self.thing(id)?.state.moving.len();
-        (0..parts).try_for_each(|part| self.put_open(id, part, open))
     }
 
     /// The shape of a node's moving part, if it has any, and its pose when open by a fraction.

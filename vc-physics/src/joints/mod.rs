@@ -44,18 +44,9 @@ pub struct MovingPart {
     pub has_motor: bool,
 }
 
-/// # Doors, lids and drawers
 impl PhysicsWorld {
-    /// The moving parts of a node, in the asset's order; empty if it has none.
-    ///
-    /// ```
-    /// # let home = vc_testkit::kitchen::kitchen();
-    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
-    /// let parts = world.moving_parts(home.cabinet);
-    /// assert_eq!((parts.len(), &*parts[0].name, parts[0].limits), (1, "drawer", (0.0, 0.3)));
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    pub fn moving_parts(&self, id: NodeId) -> Vec<MovingPart> {
+    /// The moving parts of a node, in the asset's order; none without a body.
+    pub(crate) fn moving_parts(&self, id: NodeId) -> Vec<MovingPart> {
         let Ok(thing) = self.thing(id) else { return Vec::new() };
         (0..thing.state.moving.len()).filter_map(|part| self.moving_part(thing, part)).collect()
     }
@@ -104,27 +95,17 @@ impl PhysicsWorld {
     }
 
     /// The opening of a node's most open part, 0 to 1; `None` if it has no moving parts.
-    pub fn openness(&self, id: NodeId) -> Option<f32> {
+    pub(crate) fn openness(&self, id: NodeId) -> Option<f32> {
         self.moving_parts(id).iter().map(|p| p.open).reduce(f32::max)
     }
 
     /// Whether a motor drives a part of a node.
-    pub fn is_driven(&self, id: NodeId) -> bool {
+    pub(crate) fn is_driven(&self, id: NodeId) -> bool {
         self.driven.iter().any(|(d, _)| *d == id)
     }
 
-    /// The state of a node's moving parts in the graph's terms: open, closed, or `None` if it has no moving
-    /// parts.
-    ///
-    /// ```
-    /// # let home = vc_testkit::kitchen::kitchen();
-    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
-    /// use vc_graph::State;
-    /// assert_eq!(world.open_state(home.cabinet), Some(State::Closed));
-    /// assert_eq!(world.open_state(home.table), None);
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    pub fn open_state(&self, id: NodeId) -> Option<vc_graph::State> {
+    /// The state of a node's moving parts in the graph's terms; `None` if it has none.
+    pub(crate) fn open_state(&self, id: NodeId) -> Option<vc_graph::State> {
         let open = self.openness(id)? > SHUT;
         Some(if open { vc_graph::State::Open } else { vc_graph::State::Closed })
     }

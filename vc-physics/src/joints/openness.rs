@@ -15,14 +15,15 @@ const HALF: f32 = 0.5;
 /// # Opening at once
 impl PhysicsWorld {
     /// Opens or closes every part of a node at once, with the contents of drawers, where neither loose things
-    /// nor agents are in the way; returns whether it did. The parts then end where [`drive`](Self::drive) takes
+    /// nor agents are in the way; returns whether it did. Nodes in `ignored` are no obstacles: an agent that opens a door
+    /// gives way to it. The parts then end where [`drive`](Self::drive) takes
     /// them, except in two cases in which `drive` would press a part against things: a part that cannot open
     /// completely, because its contents would hit a wall, opens as far as possible if that is at least half of
     /// the range; a drawer that cannot open stays closed if others open.
     ///
     /// Doors and lids open before drawers, whose contents would be in their way, and close after them. Where it returns
-    /// false, the parts that came before the one that is stuck have moved; [`plan_openness`](Self::plan_openness) asks
-    /// first.
+    /// false, the parts that came before the one that is stuck have moved; [`PartsView::plan`](crate::PartsView::plan)
+    /// asks first.
     ///
     /// Costs some ten microseconds for each part.
     ///
@@ -32,48 +33,25 @@ impl PhysicsWorld {
     /// ```
     /// # let home = vc_testkit::kitchen::kitchen();
     /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
-    /// assert!(world.set_openness(home.cabinet, 1.0)?);
-    /// assert!(world.openness(home.cabinet).is_some_and(|open| open > 0.99));
+    /// assert!(world.set_openness(home.cabinet, 1.0, &[])?);
+    /// assert!(world.parts(home.cabinet).openness().is_some_and(|open| open > 0.99));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn set_openness(&mut self, id: NodeId, open: f32) -> Result<bool, PhysicsError> {
-        self.set_openness_ignoring(id, open, &[])
-    }
-
-    /// As [`Self::set_openness`], ignoring some nodes as obstacles: an agent that opens a door gives way to it.
-    ///
-    /// # Errors
-    /// As [`Self::drive`].
-    pub fn set_openness_ignoring(&mut self, id: NodeId, open: f32, ignored: &[NodeId]) -> Result<bool, PhysicsError> {
+    pub fn set_openness(&mut self, id: NodeId, open: f32, ignored: &[NodeId]) -> Result<bool, PhysicsError> {
         let mut plan = Plan::new(self, id, open, ignored);
         let goes = plan.all()?;
         let moves = plan.moves;
-        moves.into_iter().try_for_each(|(part, open)| self.put_open(id, part, open))?;
+        moves.into_iter().try_for_each(|(part, open)| self.put_part(id, part, open))?;
         Ok(goes)
     }
 
-    /// The openness that [`set_openness_ignoring`](Self::set_openness_ignoring) would give each part of a node, 0 to 1,
-    /// in the order of [`moving_parts`](Self::moving_parts), while the world stays as it is; `None` where that would
-    /// return false. A node without moving parts has nothing to open: an empty list.
-    ///
-    /// The motions follow each other in the plan: a drawer behind a door is tested with the door and its contents out
-    /// of the way. Costs some ten microseconds for each part; the world is not copied.
-    ///
-    /// # Errors
-    /// As [`Self::drive`].
-    ///
-    /// ```
-    /// # let home = vc_testkit::kitchen::kitchen();
-    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
-    /// assert_eq!(world.plan_openness(home.cabinet, 1.0, &[])?, Some(vec![1.0]));
-    /// // The person would be in the way of the drawer, unless they are ignored.
-    /// world.teleport(home.person, vc_graph::Pose::translation(-1.0, 0.0, 0.0))?;
-    /// assert_eq!(world.plan_openness(home.cabinet, 1.0, &[])?, None);
-    /// assert_eq!(world.plan_openness(home.cabinet, 1.0, &[home.person])?, Some(vec![1.0]));
-    /// assert_eq!(world.openness(home.cabinet), Some(0.0));
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    pub fn plan_openness(&self, id: NodeId, open: f32, ignored: &[NodeId]) -> Result<Option<Vec<f32>>, PhysicsError> {
+    /// The openness that [`set_openness`](Self::set_openness) would give each part of a node, 0 to 1.
+    pub(crate) fn plan_openness(
+        &self,
+        id: NodeId,
+        open: f32,
+        ignored: &[NodeId],
+    ) -> Result<Option<Vec<f32>>, PhysicsError> {
         let mut plan = Plan::new(self, id, open, ignored);
         let goes = plan.all()?;
         let mut openness: Vec<f32> = self.moving_parts(id).iter().map(|part| part.open).collect();
@@ -94,20 +72,8 @@ impl PhysicsWorld {
         Ok((self.part_position(self.thing(id)?, part).unwrap_or(target), target))
     }
 
-    /// The nodes that block the parts of a node on the way to a fraction of their range, 0 to 1, sorted by
-    /// number: the first obstacles of the parts and of the things they carry. Empty if the way is free.
-    ///
-    /// # Errors
-    /// As [`Self::drive`].
-    ///
-    /// ```
-    /// # let home = vc_testkit::kitchen::kitchen();
-    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
-    /// world.teleport(home.person, vc_graph::Pose::translation(-1.0, 0.0, 0.0))?;
-    /// assert_eq!(world.blockers(home.cabinet, 1.0)?, [home.person]);
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    pub fn blockers(&self, id: NodeId, open: f32) -> Result<Vec<NodeId>, PhysicsError> {
+    /// The nodes that block the parts of a node on the way to a fraction of their range, sorted by number.
+    pub(crate) fn blockers(&self, id: NodeId, open: f32) -> Result<Vec<NodeId>, PhysicsError> {
         let mut hits = Vec::new();
         for part in 0..self.thing(id)?.state.moving.len() {
             let way = self.way(id, part, open)?;

@@ -1,17 +1,14 @@
 //! The way of a part with its load, and the obstacles on it.
 
 use rapier3d::geometry::Collider;
-use rapier3d::math::Pose as EnginePose;
 use vc_graph::NodeId;
 
 use super::travel::{POSITIONS, Travel, share};
 use crate::displaced::Displaced;
+use crate::place::{SKIN, distance};
 use crate::state::Thing;
 use crate::world::PhysicsWorld;
 use crate::{convert, group};
-
-/// Smaller overlaps count as touching only, metres.
-const SKIN: f32 = 0.001;
 
 impl PhysicsWorld {
     /// The share of its way up to which a part meets no obstacle, and its load has room.
@@ -58,9 +55,8 @@ impl PhysicsWorld {
         };
         let (at, mut hits) = (convert::pose(&sweep.travel.at(step)) * *local, Vec::new());
         self.each_met((shape, &at), &other, sweep.displaced, &mut |collider, between| {
-            let depth =
-                rapier3d::parry::query::contact(&EnginePose::IDENTITY, &**shape, &between, collider.shape(), 0.0);
-            if !depth.is_ok_and(|c| c.is_none_or(|c| c.dist > -SKIN)) {
+            let distance = distance(shape, &between, collider);
+            if !distance.is_some_and(|distance| distance.is_none_or(|distance| distance > -SKIN)) {
                 hits.push(group::marked(collider.user_data).0);
             }
             true

@@ -38,21 +38,21 @@ impl Cover {
         Self { id, outlines, gate: Vec::new(), poses: Vec::new(), role: None, locked: false }
     }
 
-    fn new(world: &PhysicsWorld, thing: &Thing, plan: &FloorOptions) -> Self {
+    fn new(world: &PhysicsWorld, thing: &Thing, options: &FloorOptions) -> Self {
         let poses = poses(world, thing);
         let locked = thing.state.moving.iter().any(|m| m.locked);
         let mut cover =
             Self { id: thing.id, outlines: Vec::new(), gate: Vec::new(), poses, role: Some(thing.state.role), locked };
-        if thing.state.role == BodyRole::Carried || is_covered(world, thing, plan) {
+        if thing.state.role == BodyRole::Carried || is_covered(world, thing, options) {
             return cover;
         }
         let base = cover.poses.first().copied().unwrap_or_else(Pose::identity);
         let outlines = |link: usize, pose: &Pose| {
-            outlines(&thing.form.links[link], pose, |low, high| is_in_the_way(plan, low, high))
+            outlines(&thing.form.links[link], pose, |low, high| is_in_the_way(options, low, high))
         };
         for (link, pose) in cover.poses.iter().enumerate() {
             let (door, open) = (thing.state.door && link > 0, !near(pose, &base));
-            let aside = plan.doors == DoorHandling::Opened && !locked && (door || open);
+            let aside = options.doors == DoorHandling::Opened && !locked && (door || open);
             if door || aside {
                 cover.gate.extend(outlines(link, if door { &base } else { pose }));
             }
@@ -94,7 +94,7 @@ fn poses_at(world: &PhysicsWorld, thing: &Thing, base: Pose) -> Vec<Pose> {
 
 /// Whether some support in the graph's support chain of a thing is fixed and covers all of it: cups on a table
 /// obstruct nobody. The contents of an open drawer move along when it is closed.
-fn is_covered(world: &PhysicsWorld, thing: &Thing, plan: &FloorOptions) -> bool {
+fn is_covered(world: &PhysicsWorld, thing: &Thing, options: &FloorOptions) -> bool {
     let below = |t: &Thing| world.thing(t.state.rests?.at).ok();
     let mut chain = std::iter::successors(below(thing), |t| below(t)).take(STACKED);
     let Some(at) = chain.find(|t| t.state.role == BodyRole::Fixed).filter(|_| thing.state.role != BodyRole::Fixed)
@@ -107,27 +107,27 @@ fn is_covered(world: &PhysicsWorld, thing: &Thing, plan: &FloorOptions) -> bool 
     let corners: Outline = rectangle(&around.min.xy(), &around.max.xy()).into_iter().map(local).collect();
     let (low, high) = corners.iter().fold((corners[0], corners[0]), |(l, h), p| (l.inf(p), h.sup(p)));
     let level = base.translation.z;
-    let counts = |f: &&Footprint| is_in_the_way(plan, level + f.levels().0, level + f.levels().1);
+    let counts = |f: &&Footprint| is_in_the_way(options, level + f.levels().0, level + f.levels().1);
     let covers = at.form.links[0].footprints().iter().filter(counts).any(|f| f.covers(&corners, &low, &high));
-    covers || goes_along(world, at, &around.centre().xy(), plan)
+    covers || goes_along(world, at, &around.centre().xy(), options)
 }
 
 /// Whether a point is over an open part of a thing that is closed in passing.
-fn goes_along(world: &PhysicsWorld, thing: &Thing, point: &Point2<f32>, plan: &FloorOptions) -> bool {
+fn goes_along(world: &PhysicsWorld, thing: &Thing, point: &Point2<f32>, options: &FloorOptions) -> bool {
     let locked = thing.state.moving.iter().any(|m| m.locked);
     let poses = poses(world, thing);
-    let Some(base) = poses.first().filter(|_| plan.doors == DoorHandling::Opened && !locked) else { return false };
+    let Some(base) = poses.first().filter(|_| options.doors == DoorHandling::Opened && !locked) else { return false };
     let mut open = poses.iter().enumerate().skip(1).filter(|(_, pose)| !near(pose, base));
     let over = |outline: &Outline| contains(outline, std::slice::from_ref(point));
-    let in_the_way = |low, high| is_in_the_way(plan, low, high);
+    let in_the_way = |low, high| is_in_the_way(options, low, high);
     open.any(|(link, pose)| outlines(&thing.form.links[link], pose, in_the_way).iter().any(over))
 }
 
 /// The area that a thing would cover at a pose.
-pub(crate) fn outlines_at(world: &PhysicsWorld, thing: &Thing, pose: &Pose, plan: &FloorOptions) -> Vec<Outline> {
+pub(crate) fn outlines_at(world: &PhysicsWorld, thing: &Thing, pose: &Pose, options: &FloorOptions) -> Vec<Outline> {
     let poses = poses_at(world, thing, *pose);
     let links = thing.form.links.iter().zip(&poses);
-    links.flat_map(|(link, pose)| outlines(link, pose, |low, high| is_in_the_way(plan, low, high))).collect()
+    links.flat_map(|(link, pose)| outlines(link, pose, |low, high| is_in_the_way(options, low, high))).collect()
 }
 
 /// Outlines of the relevant pieces of a link, selected by their lower and upper heights.
@@ -141,8 +141,8 @@ fn is_upright(pose: &Pose) -> bool {
 }
 
 /// Whether a height range lies between floor and head.
-fn is_in_the_way(plan: &FloorOptions, low: f32, high: f32) -> bool {
-    high > plan.level + plan.step && low < plan.level + plan.height
+fn is_in_the_way(options: &FloorOptions, low: f32, high: f32) -> bool {
+    high > options.level + options.step && low < options.level + options.height
 }
 
 /// The precomputed footprints of an upright link, without those that others cover.
@@ -166,21 +166,21 @@ fn tilted(link: &Link, pose: &Pose, counts: impl Fn(f32, f32) -> bool) -> Vec<Ou
 }
 
 /// The covered areas of all nodes.
-pub(crate) fn covers(world: &PhysicsWorld, plan: &FloorOptions) -> Vec<Cover> {
-    world.things.iter().map(|t| Cover::new(world, t, plan)).collect()
+pub(crate) fn covers(world: &PhysicsWorld, options: &FloorOptions) -> Vec<Cover> {
+    world.things.iter().map(|t| Cover::new(world, t, options)).collect()
 }
 
 /// Updates the covers; returns whether any outline changed. The covers depend only on the bodies' poses, not on
 /// their history.
-pub(crate) fn update(covers: &mut Vec<Cover>, world: &PhysicsWorld, plan: &FloorOptions) -> bool {
+pub(crate) fn update(covers: &mut Vec<Cover>, world: &PhysicsWorld, options: &FloorOptions) -> bool {
     if covers.len() != world.things.len() || covers.iter().zip(&world.things).any(|(c, t)| c.id != t.id) {
-        *covers = self::covers(world, plan);
+        *covers = self::covers(world, options);
         return true;
     }
     let mut changed = false;
     for (cover, thing) in covers.iter_mut().zip(&world.things) {
         if !cover.is_current(world, thing) {
-            let new = Cover::new(world, thing, plan);
+            let new = Cover::new(world, thing, options);
             changed |= new.outlines != cover.outlines || new.gate != cover.gate;
             *cover = new;
         }
@@ -189,8 +189,8 @@ pub(crate) fn update(covers: &mut Vec<Cover>, world: &PhysicsWorld, plan: &Floor
 }
 
 /// Outlines of the ground: pieces of the building whose top is the floor; the rooms' boxes if there are none.
-pub(crate) fn ground(world: &PhysicsWorld, plan: &FloorOptions) -> Vec<Outline> {
-    let tops = plan.level - BELOW..=plan.level + plan.step;
+pub(crate) fn ground(world: &PhysicsWorld, options: &FloorOptions) -> Vec<Outline> {
+    let tops = options.level - BELOW..=options.level + options.step;
     let mut found = Vec::new();
     for thing in world.things.iter().filter(|t| t.state.structure && t.state.role == BodyRole::Fixed) {
         let Some(base) = world.engine.pose(thing.state.base) else { continue };

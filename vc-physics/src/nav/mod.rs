@@ -87,7 +87,7 @@ pub struct Route {
 /// ```
 #[derive(Debug, Clone)]
 pub struct Floor {
-    plan: FloorOptions,
+    options: FloorOptions,
     covers: Vec<Cover>,
     ground: Vec<Outline>,
     raster: Option<Raster>,
@@ -109,25 +109,25 @@ impl Floor {
     /// assert!(floor.is_free(Point2::new(0.0, 0.0)) && !floor.is_free(Point2::new(1.0, 0.0)));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn new(world: &PhysicsWorld, plan: FloorOptions) -> Self {
-        let covers = cover::covers(world, &plan);
-        let ground = cover::ground(world, &plan);
-        Self::from_covers(plan, covers, ground)
+    pub fn new(world: &PhysicsWorld, options: FloorOptions) -> Self {
+        let covers = cover::covers(world, &options);
+        let ground = cover::ground(world, &options);
+        Self::from_covers(options, covers, ground)
     }
 
     /// A floor from convex outlines, corners counter-clockwise, metres: the ground and the obstacles.
-    pub fn from_outlines(ground: &[Vec<Point2<f32>>], obstacles: &[Vec<Point2<f32>>], plan: FloorOptions) -> Self {
+    pub fn from_outlines(ground: &[Vec<Point2<f32>>], obstacles: &[Vec<Point2<f32>>], options: FloorOptions) -> Self {
         let finite = |o: &&Vec<Point2<f32>>| o.iter().all(|p| p.x.abs() < 1e5 && p.y.abs() < 1e5);
         let cover = Cover::fixed(obstacles.iter().filter(finite).cloned().collect());
-        Self::from_covers(plan, vec![cover], ground.iter().filter(finite).cloned().collect())
+        Self::from_covers(options, vec![cover], ground.iter().filter(finite).cloned().collect())
     }
 
-    fn from_covers(plan: FloorOptions, covers: Vec<Cover>, ground: Vec<Outline>) -> Self {
+    fn from_covers(options: FloorOptions, covers: Vec<Cover>, ground: Vec<Outline>) -> Self {
         let corners = || ground.iter().flatten();
         let low = corners().copied().reduce(|a, b| a.inf(&b));
         let high = corners().copied().reduce(|a, b| a.sup(&b));
-        let raster = low.zip(high).and_then(|(low, high)| Raster::over(low, high, plan.cell));
-        let mut floor = Self { plan, covers, ground, raster, bands: Bands::default() };
+        let raster = low.zip(high).and_then(|(low, high)| Raster::over(low, high, options.cell));
+        let mut floor = Self { options, covers, ground, raster, bands: Bands::default() };
         floor.paint();
         floor
     }
@@ -147,7 +147,7 @@ impl Floor {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn update(&mut self, world: &PhysicsWorld) -> bool {
-        let moved = cover::update(&mut self.covers, world, &self.plan);
+        let moved = cover::update(&mut self.covers, world, &self.options);
         if moved {
             self.paint();
         }
@@ -159,14 +159,14 @@ impl Floor {
         raster.clear();
         self.ground.iter().for_each(|o| raster.paint(o, 0.0, true));
         for outline in self.covers.iter().flat_map(|c| &c.outlines) {
-            raster.paint(outline, self.plan.radius, false);
+            raster.paint(outline, self.options.radius, false);
         }
         self.bands = Bands::new(raster.cells());
     }
 
     /// The options from which the floor was made.
     pub fn options(&self) -> &FloorOptions {
-        &self.plan
+        &self.options
     }
 
     /// Whether a walker can stand at a point.

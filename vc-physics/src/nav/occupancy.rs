@@ -72,7 +72,7 @@ impl Floor {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn occupancy(&self) -> Occupancy {
-        let cell = self.plan.cell;
+        let cell = self.options.cell;
         let none = Occupancy { origin: [0.0; 2], cell, columns: 0, rows: 0, free: Vec::new() };
         let Some(raster) = &self.raster else { return none };
         let (columns, rows) = (raster.cells().width(), raster.cells().height());

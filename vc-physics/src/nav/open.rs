@@ -27,10 +27,10 @@ impl Floor {
         pose: &Pose,
         from: &[Point2<f32>],
     ) -> Result<bool, PhysicsError> {
-        let outlines = cover::outlines_at(world, world.thing(id)?, pose, &self.plan);
+        let outlines = cover::outlines_at(world, world.thing(id)?, pose, &self.options);
         let Some(before) = &self.raster else { return Ok(true) };
         let mut after = before.clone();
-        outlines.iter().for_each(|o| after.paint(o, self.plan.radius, false));
+        outlines.iter().for_each(|o| after.paint(o, self.options.radius, false));
         if after.cells().count() == before.cells().count() {
             return Ok(true);
         }

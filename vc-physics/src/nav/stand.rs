@@ -1,13 +1,13 @@
-//! Standing positions for reaching a thing, and walking there.
+//! Standing positions for reaching a thing.
 
 use nalgebra::{Point2, Point3};
 use vc_graph::{NodeId, Pose};
 
 use super::{Floor, Route};
+use crate::PhysicsError;
 use crate::convert::facing;
 use crate::state::BodyPlan;
 use crate::world::PhysicsWorld;
-use crate::{AgentError, PhysicsError};
 
 /// Margin by which an agent stands nearer than its reach, metres: nobody stops exactly on the spot.
 const SLACK: f32 = 0.06;
@@ -99,7 +99,7 @@ impl Floor {
 
     fn feet(&self, spot: Point2<f32>, towards: &Point3<f32>) -> Pose {
         let turn = facing(towards.x - spot.x, towards.y - spot.y);
-        Pose::from_parts(nalgebra::Translation3::new(spot.x, spot.y, self.plan.level), turn)
+        Pose::from_parts(nalgebra::Translation3::new(spot.x, spot.y, self.options.level), turn)
     }
 
     fn reaches(
@@ -109,12 +109,13 @@ impl Floor {
         spot: Point2<f32>,
         id: NodeId,
     ) -> Result<bool, PhysicsError> {
-        let arm = world.arm(plan, Point3::new(spot.x, spot.y, self.plan.level), id)?;
+        let arm = world.arm(plan, Point3::new(spot.x, spot.y, self.options.level), id)?;
         Ok(world.distance_to(id, arm)? <= plan.reach - SLACK)
     }
 
-    /// Whether a body standing at a pose sees a thing, as [`PhysicsWorld::can_see`] from there. Agents do not occlude
-    /// it.
+    /// Whether a thing is visible from the eyes of a body that stands at a pose: a ray to its middle, or to a corner of
+    /// a slightly smaller box, hits nothing else first. Agents do not occlude it, and the direction of the gaze is not
+    /// considered.
     pub fn sees(&self, world: &PhysicsWorld, plan: &BodyPlan, feet: &Pose, id: NodeId) -> bool {
         let agents: Vec<NodeId> = world.agents().collect();
         world.sees(feet * Point3::new(0.0, 0.0, plan.eye()), id, &agents).unwrap_or(false)
@@ -127,47 +128,4 @@ fn raster(low: Point2<f32>, high: Point2<f32>) -> impl Iterator<Item = Point2<f3
     let (columns, rows) = (count(high.x - low.x), count(high.y - low.y));
     (0..=rows)
         .flat_map(move |r| (0..=columns).map(move |c| Point2::new(low.x + c as f32 * PITCH, low.y + r as f32 * PITCH)))
-}
-
-/// # Ways
-impl PhysicsWorld {
-    /// Lets an agent walk or run the shortest path to a point. Doors on it have to be opened as the agent
-    /// reaches them.
-    ///
-    /// # Errors
-    /// [`AgentError::NoSuchAgent`], [`AgentError::Posture`], [`AgentError::NoWay`].
-    ///
-    /// ```
-    /// # let home = vc_testkit::kitchen::kitchen();
-    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
-    /// use vc_physics::{Floor, FloorOptions, WalkState};
-    /// let floor = Floor::new(&world, FloorOptions::default());
-    /// let route = world.walk_to(home.person, &floor, nalgebra::Point2::new(-0.5, -1.0), false)?;
-    /// assert!((route.length - 1.118).abs() < 0.01);
-    /// assert_eq!(world.walk(home.person)?, WalkState::Walking);
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    pub fn walk_to(&mut self, agent: NodeId, floor: &Floor, to: Point2<f32>, run: bool) -> Result<Route, AgentError> {
-        let from = self.standing(agent)?.feet.translation.vector.xy().into();
-        let route = floor.route(from, to).ok_or(AgentError::NoWay { agent })?;
-        self.follow(agent, &route.points, run)?;
-        Ok(route)
-    }
-
-    /// Puts an agent at once where [`walk_to`](Self::walk_to) would have brought it, facing the direction of
-    /// arrival.
-    ///
-    /// # Errors
-    /// As [`Self::walk_to`].
-    pub fn arrive_at(&mut self, agent: NodeId, floor: &Floor, to: Point2<f32>) -> Result<Route, AgentError> {
-        let body = self.standing(agent)?;
-        let (from, turn) = (body.feet.translation.vector.xy().into(), body.feet.rotation);
-        let route = floor.route(from, to).ok_or(AgentError::NoWay { agent })?;
-        let end = route.points.last().copied().unwrap_or(to);
-        let way = route.points.iter().rev().map(|p| end - p).find(|w| w.norm() > 1e-4);
-        let turn = way.map_or(turn, |w| facing(w.x, w.y));
-        let at = nalgebra::Translation3::new(end.x, end.y, floor.plan.level);
-        self.teleport(agent, Pose::from_parts(at, turn))?;
-        Ok(route)
-    }
 }

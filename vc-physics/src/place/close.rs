@@ -13,7 +13,7 @@ use super::{GAP, SpotOrder, SupportSurface};
 use crate::displaced::NONE;
 use crate::state::Thing;
 use crate::world::PhysicsWorld;
-use crate::{PhysicsError, convert, group};
+use crate::{convert, group};
 
 /// Distance of the spots that are tried, metres.
 const PITCH: f32 = 0.02;
@@ -29,26 +29,19 @@ const BELOW: f32 = 0.004;
 const ONTO: [Way; 1] = [Way { over: OVER, ..WITHIN }];
 
 impl PhysicsWorld {
-    /// As [`free_spot_where`](Self::free_spot_where), as close to what is there as it stands: room is asked for the
-    /// outline of a thing, not for the box around it, on a raster of two centimetres. On top of things it may be
-    /// anywhere over the top that bears it, also beyond the rectangle that its asset states: near the edge of a
-    /// round table.
-    ///
-    /// # Errors
-    /// [`PhysicsError::NoBody`].
-    pub fn packed_spot_where(
+    /// The first free spot that is close to what is there as it stands.
+    pub(super) fn packed_spot(
         &self,
-        id: NodeId,
-        at: NodeId,
-        inside: bool,
+        thing: &Thing,
+        below: &Thing,
+        hold: Hold,
         order: SpotOrder,
-        admits: impl Fn(&Pose) -> bool,
-    ) -> Result<Option<Pose>, PhysicsError> {
-        let (thing, below) = (self.thing(id)?, self.thing(at)?);
-        let (hold, ways) = if inside { (Hold::Inside, &INTO[..]) } else { (Hold::On, &ONTO[..]) };
+        admits: &dyn Fn(&Pose) -> bool,
+    ) -> Option<Pose> {
+        let ways = if hold == Hold::Inside { &INTO[..] } else { &ONTO[..] };
         let shelves = self.surfaces_that(below, hold);
         let mut all = ways.iter().flat_map(|way| shelves.iter().map(move |shelf| (way, shelf)));
-        Ok(all.find_map(|(way, shelf)| self.packed_spot_among(thing, shelf, way, order, &admits)))
+        all.find_map(|(way, shelf)| self.packed_spot_among(thing, shelf, way, order, admits))
     }
 
     fn packed_spot_among(

@@ -6,13 +6,8 @@ use crate::PhysicsError;
 use crate::world::PhysicsWorld;
 
 impl PhysicsWorld {
-    /// The pose that a thing had in another moment of this world, moved along with its support or container since, or
-    /// with the moving part of it that carried the thing. `None` if the thing would overlap anything there that it did
-    /// not overlap then, or if one of the two had no body.
-    ///
-    /// # Errors
-    /// [`PhysicsError::NoBody`], [`PhysicsError::NotFinite`].
-    pub fn former_spot(&self, then: &Self, id: NodeId, at: NodeId) -> Result<Option<Pose>, PhysicsError> {
+    /// The pose that a thing had in another moment of this world, moved along with its support or container since.
+    pub(crate) fn former_spot(&self, then: &Self, id: NodeId, at: NodeId) -> Result<Option<Pose>, PhysicsError> {
         let link = then.link_below(id, at);
         let frame = |world: &Self| link.checked_sub(1).map_or_else(|| world.pose(at), |part| world.part_pose(at, part));
         let (Some(was), Some(before), Some(now)) = (then.pose(id), frame(then), frame(self)) else { return Ok(None) };

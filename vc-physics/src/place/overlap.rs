@@ -11,7 +11,14 @@ use crate::world::PhysicsWorld;
 use crate::{PhysicsError, convert, group};
 
 /// The depth of an overlap that counts as contact only, metres.
-const SKIN: f32 = 0.001;
+pub(crate) const SKIN: f32 = 0.001;
+
+/// The distance of a shape from a collider that it meets, at a pose relative to it, metres: negative for an overlap, none
+/// where they do not touch after all. `None` if nobody knows.
+pub(crate) fn distance(shape: &SharedShape, between: &EnginePose, collider: &Collider) -> Option<Option<f32>> {
+    let contact = rapier3d::parry::query::contact(&EnginePose::IDENTITY, &**shape, between, collider.shape(), 0.0);
+    contact.ok().map(|contact| contact.map(|contact| contact.dist))
+}
 
 /// # Overlaps
 impl PhysicsWorld {
@@ -78,9 +85,7 @@ impl PhysicsWorld {
     ) -> bool {
         let other = |c: &Collider| group::is_solid(c) && group::marked(c.user_data).0 != but;
         self.each_met((shape, at), &other, displaced, &mut |collider, between| {
-            let depth =
-                rapier3d::parry::query::contact(&EnginePose::IDENTITY, &**shape, &between, collider.shape(), 0.0);
-            let overlaps = depth.ok().flatten().is_none_or(|c| c.dist < -SKIN);
+            let overlaps = distance(shape, &between, collider).flatten().is_none_or(|distance| distance < -SKIN);
             !overlaps || found(group::marked(collider.user_data).0)
         })
     }
@@ -91,17 +96,7 @@ impl PhysicsWorld {
     }
 
     /// Whether a box of half lengths at a pose overlaps nothing.
-    ///
-    /// ```
-    /// # let home = vc_testkit::kitchen::kitchen();
-    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
-    /// use vc_graph::Pose;
-    /// let half = nalgebra::Vector3::new(0.05, 0.05, 0.05);
-    /// assert!(!world.is_free(half, &Pose::translation(1.0, 0.0, 0.8))); // The cup is there.
-    /// assert!(world.is_free(half, &Pose::translation(1.0, 0.3, 0.8)));
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    pub fn is_free(&self, half: Vector3<f32>, pose: &Pose) -> bool {
+    pub(super) fn is_free(&self, half: Vector3<f32>, pose: &Pose) -> bool {
         if !is_size(&half) || !convert::is_sound(pose) {
             return false;
         }
@@ -111,6 +106,6 @@ impl PhysicsWorld {
 }
 
 /// Whether half lengths are those of a box.
-pub(super) fn is_size(half: &Vector3<f32>) -> bool {
+fn is_size(half: &Vector3<f32>) -> bool {
     half.iter().all(|h| *h > 0.0 && *h <= convert::LARGEST)
 }

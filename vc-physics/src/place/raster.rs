@@ -5,7 +5,7 @@ use vc_graph::Pose;
 use vc_graph::asset::Hold;
 use vc_graph::portable::Portable;
 
-use super::{GAP, SpotOrder, SupportSurface};
+use super::{GAP, SpotFault, SpotOrder, SupportSurface};
 
 /// Distance of the spots that are tried on a surface, metres.
 pub(super) const PITCH: f32 = 0.04;
@@ -30,11 +30,9 @@ pub(super) fn spots(
     pitch: f32,
     order: SpotOrder,
 ) -> Vec<Pose> {
-    let half = turn.to_rotation_matrix().matrix().abs() * (high - low) / 2.0;
-    let room = (shelf.half.0 - half.x * (1.0 - over), shelf.half.1 - half.y * (1.0 - over));
-    let base = above + GAP;
-    let fits = room.0 >= 0.0 && room.1 >= 0.0 && shelf.clearance.is_none_or(|c| 2.0 * half.z + base <= c);
-    if !fits || shelf.hold == Hold::Hook {
+    let (half, base) = (half_sides((low, high), turn), above + GAP);
+    let Ok(room) = fits((low, high), shelf, turn, (above, over)) else { return Vec::new() };
+    if shelf.hold == Hold::Hook {
         return Vec::new();
     }
     let centre = turn * nalgebra::center(&low, &high).coords;
@@ -45,6 +43,27 @@ pub(super) fn spots(
     let raster: Vec<(f32, f32)> =
         steps(room.0, pitch).flat_map(|x| steps(room.1, pitch).map(move |y| (x, y))).collect();
     ordered(raster, shelf, order).into_iter().map(at).collect()
+}
+
+/// Half the sides of a surface's part over which the middle of a thing may be, so far above it and with a part of its
+/// half width over the edges; or the reason why it fits nowhere on it.
+pub(super) fn fits(
+    extent: (Point3<f32>, Point3<f32>),
+    shelf: &SupportSurface,
+    turn: &UnitQuaternion<f32>,
+    (above, over): (f32, f32),
+) -> Result<(f32, f32), SpotFault> {
+    let half = half_sides(extent, turn);
+    let room = (shelf.half.0 - half.x * (1.0 - over), shelf.half.1 - half.y * (1.0 - over));
+    if shelf.clearance.is_some_and(|clearance| 2.0 * half.z + (above + GAP) > clearance) {
+        return Err(SpotFault::TooLow);
+    }
+    if room.0 >= 0.0 && room.1 >= 0.0 { Ok(room) } else { Err(SpotFault::Unsupported) }
+}
+
+/// Half the sides of the box around a box that is turned.
+pub(super) fn half_sides((low, high): (Point3<f32>, Point3<f32>), turn: &UnitQuaternion<f32>) -> Vector3<f32> {
+    turn.to_rotation_matrix().matrix().abs() * (high - low) / 2.0
 }
 
 /// Offsets from -room to room, a pitch apart or wider.

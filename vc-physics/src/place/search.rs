@@ -3,32 +3,137 @@
 use nalgebra::{Point3, UnitQuaternion};
 use rapier3d::geometry::SharedShape;
 use vc_graph::asset::Hold;
-use vc_graph::{NodeId, Pose};
+use vc_graph::{NodeId, Pose, Seed};
 
-use super::raster::{PITCH, is_burner, spots};
-use super::way::{ACROSS, Tip, Way};
-use super::{AROUND, SpotOrder, SupportSurface};
+use super::raster::{PITCH, half_sides, is_burner, spots};
+use super::way::{ACROSS, HEAP, INTO, ONTO, Tip, Way};
+use super::{AROUND, SupportSurface};
 use crate::displaced::NONE;
 use crate::state::Thing;
 use crate::world::PhysicsWorld;
 use crate::{BodyRole, PhysicsError, convert};
 
+/// The order in which the spots of a surface are tried.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub enum SpotOrder {
+    /// The middle first.
+    Middle,
+    /// Nearest to a point first.
+    Near(Point3<f32>),
+    /// At random, from a seed.
+    Random(Seed),
+}
+
+/// How close things are put to those that are there.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Packing {
+    /// Apart, so that the boxes around things are clear of each other, and close only if no such spot is left.
+    Apart,
+    /// Close, as people make room on a full table: room is asked for the outline of a thing, not for the box around it,
+    /// on a raster of two centimetres. On top of things it may be anywhere over the top that bears it, also beyond the
+    /// rectangle that its asset states: near the edge of a round table.
+    Close,
+    /// A little above the contents of a container: the thing is let down onto them.
+    Heaped,
+}
+
+/// A search for a free spot at which a thing can be put on or into another one.
+///
+/// The first surface of the other thing that has such a spot is taken: an inner one, or one on top. A thing that does
+/// not stand in a container is laid on its side; a thing that is wider than a surface is put on the middle of it and
+/// reaches over its edges. Spots are tried on a grid of four centimetres or coarser; each costs some microseconds.
+///
+/// ```
+/// # let home = vc_testkit::kitchen::kitchen();
+/// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
+/// use vc_physics::{SpotOrder, SpotSearch};
+/// world.put_open(home.cabinet, None, 1.0)?;
+/// let search = SpotSearch::new(home.cup, home.cabinet, true).order(SpotOrder::Middle);
+/// let spot = search.find(&world)?.ok_or("the drawer is full")?;
+/// world.place(home.cup, spot)?;
+/// assert!(world.body(home.cup)?.is_at(home.cabinet, true));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SpotSearch {
+    pub(super) id: NodeId,
+    pub(super) at: NodeId,
+    pub(super) inside: bool,
+    pub(super) order: SpotOrder,
+    packing: Packing,
+}
+
+impl SpotSearch {
+    /// A search for a spot for a thing at another one: inside it, or on top. The middle is tried first, and things are
+    /// put apart.
+    pub fn new(id: NodeId, at: NodeId, inside: bool) -> Self {
+        Self { id, at, inside, order: SpotOrder::Middle, packing: Packing::Apart }
+    }
+
+    /// The same search with the spots tried in another order.
+    #[must_use]
+    pub fn order(self, order: SpotOrder) -> Self {
+        Self { order, ..self }
+    }
+
+    /// The same search for a spot that is so close to what is there.
+    #[must_use]
+    pub fn packing(self, packing: Packing) -> Self {
+        Self { packing, ..self }
+    }
+
+    /// The first free spot: the pose of the thing, clear of everything. `None` if no spot is free.
+    ///
+    /// # Errors
+    /// [`PhysicsError::NoBody`].
+    pub fn find(&self, world: &PhysicsWorld) -> Result<Option<Pose>, PhysicsError> {
+        self.find_where(world, |_| true)
+    }
+
+    /// As [`Self::find`], at a spot that satisfies a condition, which is tested last.
+    ///
+    /// # Errors
+    /// [`PhysicsError::NoBody`].
+    pub fn find_where(
+        &self,
+        world: &PhysicsWorld,
+        admits: impl Fn(&Pose) -> bool,
+    ) -> Result<Option<Pose>, PhysicsError> {
+        let (thing, below) = (world.thing(self.id)?, world.thing(self.at)?);
+        let by = |ways: &[Way]| world.spot_by(ways, (thing, below), self.hold(), self.order, &admits);
+        let close = || world.packed_spot(thing, below, self.hold(), self.order, &admits);
+        Ok(match self.packing {
+            Packing::Apart => by(self.ways()).or_else(close),
+            Packing::Close => close(),
+            Packing::Heaped => by(&HEAP),
+        })
+    }
+
+    pub(super) fn hold(&self) -> Hold {
+        if self.inside { Hold::Inside } else { Hold::On }
+    }
+
+    pub(super) fn ways(&self) -> &'static [Way] {
+        if self.inside { &INTO } else { &ONTO }
+    }
+}
+
 impl PhysicsWorld {
-    pub(super) fn spot_by(
+    fn spot_by(
         &self,
         ways: &[Way],
-        id: NodeId,
-        at: NodeId,
+        (thing, below): (&Thing, &Thing),
         hold: Hold,
         order: SpotOrder,
         admits: &dyn Fn(&Pose) -> bool,
-    ) -> Result<Option<Pose>, PhysicsError> {
-        let (thing, below) = (self.thing(id)?, self.thing(at)?);
+    ) -> Option<Pose> {
         let mut shelves = self.surfaces_that(below, hold);
         // A thing that is put on a stove goes to a free burner, not beside a thing on another one.
         shelves.sort_by_cached_key(|shelf| is_burner(shelf) && !self.is_bare(shelf));
         let mut spots = ways.iter().flat_map(|way| shelves.iter().map(move |shelf| (way, shelf)));
-        Ok(spots.find_map(|(way, shelf)| self.spot_among(thing, shelf, way, order, admits)))
+        spots.find_map(|(way, shelf)| self.spot_among(thing, shelf, way, order, admits))
     }
 
     /// The first free spot on a surface for a thing that is put there in a given way: a spot where the box around
@@ -125,7 +230,7 @@ impl PhysicsWorld {
 /// How far a thing between two corners reaches over an edge of a surface at a spot, at most, centimetres.
 fn overhang((low, high): (Point3<f32>, Point3<f32>), shelf: &SupportSurface, spot: &Pose) -> u32 {
     let own = shelf.pose.inverse() * spot;
-    let half = own.rotation.to_rotation_matrix().matrix().abs() * (high - low) / 2.0;
+    let half = half_sides((low, high), &own.rotation);
     let middle = own * nalgebra::center(&low, &high);
     let over = (middle.x.abs() + half.x - shelf.half.0).max(middle.y.abs() + half.y - shelf.half.1);
     (100.0 * over.max(0.0)).round() as u32

@@ -6,7 +6,6 @@ use vc_graph::{NodeId, Pose};
 
 use super::way::TURNTABLE;
 use super::{BESIDE, GAP};
-use crate::PhysicsError;
 use crate::state::Thing;
 use crate::world::PhysicsWorld;
 
@@ -41,22 +40,12 @@ impl SupportSurface {
 
 /// # Surfaces that hold things
 impl PhysicsWorld {
-    /// The surfaces of a node in the present state: those of a drawer move with it.
-    ///
-    /// ```
-    /// # let home = vc_testkit::kitchen::kitchen();
-    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
-    /// let top = &world.support_surfaces(home.table)[0];
-    /// assert!((top.pose.translation.z - 0.74).abs() < 1e-5);
-    /// assert_eq!(top.half, (0.4, 0.7));
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    pub fn support_surfaces(&self, id: NodeId) -> Vec<SupportSurface> {
-        let Ok(thing) = self.thing(id) else { return Vec::new() };
+    /// The surfaces of a thing in the present state.
+    pub(crate) fn surfaces(&self, thing: &Thing) -> Vec<SupportSurface> {
         (0..thing.form.surfaces.len()).filter_map(|s| self.surface_of(thing, s)).collect()
     }
 
-    pub(super) fn surface_of(&self, thing: &Thing, surface: usize) -> Option<SupportSurface> {
+    fn surface_of(&self, thing: &Thing, surface: usize) -> Option<SupportSurface> {
         let of: &Surface = thing.form.surfaces.get(surface)?;
         let moved = of.joint.map_or_else(Pose::identity, |j| self.part_motion(thing, &j));
         let pose =
@@ -64,18 +53,9 @@ impl PhysicsWorld {
         Some(SupportSurface { id: thing.id, surface, hold: of.hold, pose, half: of.half, clearance: of.clearance })
     }
 
-    /// Whether a thing is on one of another's surfaces (and not on things there), or inside the other: the middle
-    /// of its box is over the surface or clearly in the space above it, and half of its corners are inside too.
-    ///
-    /// ```
-    /// # let home = vc_testkit::kitchen::kitchen();
-    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
-    /// assert!(world.is_at(home.cup, home.table, false));
-    /// assert!(!world.is_at(home.cup, home.cabinet, false));
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    pub fn is_at(&self, id: NodeId, at: NodeId, inside: bool) -> bool {
-        let (Some(aabb), Some(pose), Ok(thing)) = (self.aabb(id), self.pose(id), self.thing(id)) else { return false };
+    /// Whether a thing is on one of another's surfaces, or inside the other.
+    pub(crate) fn is_at(&self, thing: &Thing, at: NodeId, inside: bool) -> bool {
+        let (Some(aabb), Some(pose)) = (self.aabb(thing.id), self.pose(thing.id)) else { return false };
         let (low, high) = thing.form.extent;
         let middle = pose * nalgebra::center(&low, &high);
         let margin = if inside { -BESIDE } else { BESIDE };
@@ -110,13 +90,7 @@ impl PhysicsWorld {
             }
             Hold::Hook => false,
         };
-        self.support_surfaces(at).iter().any(holds)
-    }
-
-    pub(super) fn shelf(&self, on: NodeId, surface: usize) -> Result<SupportSurface, PhysicsError> {
-        let below = self.thing(on)?;
-        let count = below.form.surfaces.len();
-        self.surface_of(below, surface).ok_or(PhysicsError::NoSuchSurface { id: on, surface, count })
+        self.thing(at).is_ok_and(|at| self.surfaces(at).iter().any(holds))
     }
 
     /// The surfaces of a thing that hold things in a way.

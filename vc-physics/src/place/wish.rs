@@ -1,12 +1,12 @@
 //! Spots that somebody asks for: at a point, turned so, on one of the surfaces.
 
 use nalgebra::{Point2, UnitQuaternion, Vector3};
+use vc_graph::Pose;
 use vc_graph::asset::Hold;
-use vc_graph::{NodeId, Pose};
 
-use super::raster::{PITCH, spots};
-use super::way::{INTO, ONTO, Way};
-use super::{GAP, SpotOrder, SupportSurface};
+use super::raster::{PITCH, fits, half_sides, spots};
+use super::way::Way;
+use super::{GAP, SpotFault, SpotOrder, SpotSearch, SupportSurface};
 use crate::PhysicsError;
 use crate::displaced::NONE;
 use crate::state::Thing;
@@ -30,25 +30,9 @@ pub struct SpotWish {
     pub surface: Option<usize>,
 }
 
-/// The reason why a thing cannot be put to a spot that is asked for; the last ones are nearest to success.
-#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
-#[non_exhaustive]
-pub enum SpotFault {
-    /// No surface is there.
-    OffSurface,
-    /// Something is too low above it.
-    TooLow,
-    /// It would reach over an edge, so that it would not rest there.
-    Unsupported,
-    /// Nothing is in the way there, but the condition is not met.
-    NotAdmitted,
-    /// Other things are there; none if all spots of the surface are taken.
-    Taken(Vec<NodeId>),
-}
-
-impl PhysicsWorld {
-    /// The spot that is asked for on or in a thing, or the reason why there is none. Without a point it is the first
-    /// free one, as for [`free_spot_where`](Self::free_spot_where).
+impl SpotSearch {
+    /// The spot that is asked for, or the reason why there is none. Without a point it is the first free one that a
+    /// condition admits, on the surfaces that are meant.
     ///
     /// # Errors
     /// [`PhysicsError::NoBody`].
@@ -56,36 +40,32 @@ impl PhysicsWorld {
     /// ```
     /// # let home = vc_testkit::kitchen::kitchen();
     /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
-    /// use vc_physics::{SpotFault, SpotOrder, SpotWish};
+    /// use vc_physics::{SpotFault, SpotSearch, SpotWish};
     /// let at = |x, y| SpotWish { point: Some([x, y].into()), ..SpotWish::default() };
-    /// let spot = |wish| world.wished_spot(home.cup, (home.table, false), &wish, SpotOrder::Middle, |_| true);
+    /// let spot = |wish| SpotSearch::new(home.cup, home.table, false).wished(&world, &wish, |_| true);
     /// let found = spot(at(1.1, 0.3))?.map_err(|fault| format!("{fault:?}"))?;
     /// assert_eq!((found.translation.x, found.translation.y), (1.1, 0.3));
     /// assert_eq!(spot(at(3.0, 0.3))?, Err(SpotFault::OffSurface));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn wished_spot(
+    pub fn wished(
         &self,
-        id: NodeId,
-        (at, inside): (NodeId, bool),
+        world: &PhysicsWorld,
         wish: &SpotWish,
-        order: SpotOrder,
         admits: impl Fn(&Pose) -> bool,
     ) -> Result<Result<Pose, SpotFault>, PhysicsError> {
-        let (thing, below) = (self.thing(id)?, self.thing(at)?);
-        let hold = if inside { Hold::Inside } else { Hold::On };
-        let shelves = self.surfaces_that(below, hold).into_iter().enumerate();
+        let (thing, below) = (world.thing(self.id)?, world.thing(self.at)?);
+        let shelves = world.surfaces_that(below, self.hold()).into_iter().enumerate();
         let is_meant = |(index, shelf): &(usize, SupportSurface)| {
             let far = |height: f32| (shelf.pose.translation.z - height).abs();
             wish.surface.is_none_or(|asked| asked == *index) && wish.height.is_none_or(|height| far(height) <= LEVEL)
         };
         let shelves: Vec<SupportSurface> = shelves.filter(is_meant).map(|(_, shelf)| shelf).collect();
-        let ways = if inside { &INTO[..] } else { &ONTO[..] };
+        let ways = self.ways().iter().filter(|way| !way.across);
         let mut fault = SpotFault::OffSurface;
-        for (way, shelf) in ways.iter().filter(|way| !way.across).flat_map(|way| shelves.iter().map(move |s| (way, s)))
-        {
-            for turn in self.wished_turns(thing, way, shelf, wish) {
-                match self.wished_on(thing, shelf, (way, &turn), wish, order, &admits) {
+        for (way, shelf) in ways.flat_map(|way| shelves.iter().map(move |shelf| (way, shelf))) {
+            for turn in world.wished_turns(thing, way, shelf, wish) {
+                match world.wished_on(thing, shelf, (way, &turn), wish, self.order, &admits) {
                     Ok(spot) => return Ok(Ok(spot)),
                     Err(found) => fault = fault.max(found),
                 }
@@ -93,7 +73,9 @@ impl PhysicsWorld {
         }
         Ok(Err(fault))
     }
+}
 
+impl PhysicsWorld {
     /// The turns against a surface by which a thing may be put down.
     fn wished_turns(
         &self,
@@ -119,6 +101,7 @@ impl PhysicsWorld {
             let spot = self.spot_at(thing, shelf, &point, turn)?;
             return if admits(&spot) { Ok(spot) } else { Err(SpotFault::NotAdmitted) };
         }
+        fits(thing.form.extent, shelf, turn, (0.0, way.over))?;
         let all = spots(thing.form.extent, shelf, turn, (0.0, way.over), PITCH, order);
         let free = all.into_iter().filter(|spot| self.is_clear(thing, spot));
         let mut fault = SpotFault::Taken(Vec::new());
@@ -140,12 +123,11 @@ impl PhysicsWorld {
         turn: &UnitQuaternion<f32>,
     ) -> Result<Pose, SpotFault> {
         let (low, high) = thing.form.extent;
-        let half_as = |turn: &UnitQuaternion<f32>| turn.to_rotation_matrix().matrix().abs() * (high - low) / 2.0;
         let (rotation, middle) = (shelf.pose.rotation * turn, nalgebra::center(&low, &high));
-        let up = half_as(&rotation).z;
+        let up = half_sides((low, high), &rotation).z;
         let height = shelf.pose.translation.z + GAP + up - (rotation * middle.coords).z;
         let spot = Pose::from_parts(Vector3::new(point.x, point.y, height).into(), rotation);
-        let (own, half) = (shelf.pose.inverse_transform_point(&(spot * middle)), half_as(turn));
+        let (own, half) = (shelf.pose.inverse_transform_point(&(spot * middle)), half_sides((low, high), turn));
         let whole = self.whole_top(shelf);
         let is_over = |room: (f32, f32)| own.x.abs() <= room.0 && own.y.abs() <= room.1;
         if !is_over(whole.half) {

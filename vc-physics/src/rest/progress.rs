@@ -80,13 +80,13 @@ impl PhysicsWorld {
     /// Holds still what only trembles or creeps, if nothing moves fast, or in any case.
     fn hold_slow(&mut self, in_any_case: bool) {
         let restless = self.restless();
-        let fast = |id: &NodeId| self.velocity(*id).is_some_and(|v| v.norm() > SLOW);
+        let fast = |id: &NodeId| self.thing(*id).is_ok_and(|thing| self.velocity(thing).norm() > SLOW);
         if !in_any_case && restless.iter().any(fast) {
             return;
         }
         for id in restless {
             // It is loose, so it can be held.
-            let _ = self.pin(id);
+            let _ = self.pin(id, None);
         }
         if !self.engine.is_at_rest() {
             self.rest();
@@ -98,6 +98,6 @@ impl PhysicsWorld {
         if self.engine.is_at_rest() {
             return Vec::new();
         }
-        self.loose().map(|thing| thing.id).filter(|id| !self.is_asleep(*id)).collect()
+        self.loose().filter(|thing| !self.is_asleep(thing)).map(|thing| thing.id).collect()
     }
 }

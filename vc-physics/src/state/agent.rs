@@ -58,7 +58,7 @@ impl Agent {
     /// Whether a step leaves it where it is: it neither walks nor falls.
     pub(crate) fn is_still(&self) -> bool {
         let stops = matches!(self.walk, Motion::Still | Motion::Stuck) && self.velocity == [0.0; 2];
-        self.posture != Posture::Standing || self.walk == Motion::Led || (self.grounded && stops)
+        self.posture != Posture::Standing || (self.grounded && stops)
     }
 
     pub(crate) fn shoulder(&self) -> Point3<f32> {

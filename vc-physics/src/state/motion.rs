@@ -27,22 +27,13 @@ pub(crate) enum Motion {
         idle: u32,
     },
     Stuck,
-    /// Its feet are set from outside.
-    Led,
 }
 
 impl Motion {
-    /// The walk is over; an agent that is led stays led.
-    pub(crate) fn end(&mut self) {
-        if *self != Self::Led {
-            *self = Self::Still;
-        }
-    }
-
     /// The velocity that the motion asks for.
     pub(crate) fn wish(&self, at: Point2<f32>, dt: f32) -> Vector2<f32> {
         match self {
-            Self::Still | Self::Stuck | Self::Led => Vector2::zeros(),
+            Self::Still | Self::Stuck => Vector2::zeros(),
             Self::Going(v) => Vector2::new(v[0], v[1]),
             Self::Along { points, next, speed, .. } => {
                 let Some(to) = points.get(*next) else { return Vector2::zeros() };

@@ -85,6 +85,11 @@ pub(crate) struct Moving {
 }
 
 impl Thing {
+    /// Its mass, its moving parts with it, kilograms.
+    pub(crate) fn mass(&self) -> f32 {
+        self.form.mass() * self.state.mass_factor
+    }
+
     /// The bodies of the thing, its base first.
     pub(crate) fn bodies(&self) -> impl Iterator<Item = RigidBodyHandle> + '_ {
         std::iter::once(self.state.base).chain(self.state.moving.iter().filter_map(|m| m.body))

@@ -49,7 +49,7 @@ impl PhysicsWorld {
         self.index(id).map(|i| &mut self.things[i])
     }
 
-    pub(crate) fn agent(&self, id: NodeId) -> Result<&Agent, AgentError> {
+    pub(crate) fn agent_state(&self, id: NodeId) -> Result<&Agent, AgentError> {
         self.agents.get(&id).ok_or(AgentError::NoSuchAgent(id))
     }
 

@@ -50,23 +50,6 @@ impl PhysicsWorld {
         self.nodes().into_iter().filter_map(|id| Some((id, self.pose(id)?))).collect()
     }
 
-    /// The pose of a moving part in the world's frame: that of its asset's origin, moved as the part has moved. Part
-    /// numbers are those of [`moving_parts`](Self::moving_parts).
-    ///
-    /// ```
-    /// # let home = vc_testkit::kitchen::kitchen();
-    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
-    /// world.put_open(home.cabinet, 0, 1.0)?;
-    /// let drawer = world.part_pose(home.cabinet, 0).ok_or("no such part")?;
-    /// assert!((drawer.translation.x - -1.2).abs() < 1e-4); // The cabinet is at -1.5, and the drawer slides out 0.3 m.
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    pub fn part_pose(&self, id: NodeId, part: usize) -> Option<Pose> {
-        let thing = self.thing(id).ok()?;
-        let joint = thing.form.links.get(part + 1)?.joint?;
-        Some(self.engine.pose(thing.state.base)? * joint.motion(self.part_position(thing, part)?))
-    }
-
     /// The role of a node's body; `None` without a body.
     ///
     /// ```
@@ -79,62 +62,6 @@ impl PhysicsWorld {
     /// ```
     pub fn role(&self, id: NodeId) -> Option<BodyRole> {
         self.thing(id).ok().map(|t| t.state.role)
-    }
-
-    fn body(&self, id: NodeId) -> Option<&RigidBody> {
-        self.engine.bodies.get(self.thing(id).ok()?.state.base)
-    }
-
-    /// Velocity of a node's centre of mass, metres a second.
-    pub fn velocity(&self, id: NodeId) -> Option<Vector3<f32>> {
-        self.body(id).map(|b| convert::vector3(b.linvel()))
-    }
-
-    /// Angular velocity of a node, radians a second around each axis of the world.
-    pub fn angular_velocity(&self, id: NodeId) -> Option<Vector3<f32>> {
-        self.body(id).map(|b| convert::vector3(b.angvel()))
-    }
-
-    /// Mass of a node, its moving parts with it, kilograms.
-    ///
-    /// ```
-    /// # let home = vc_testkit::kitchen::kitchen();
-    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
-    /// // A cup weighs at most 0.3 kg by the class table.
-    /// assert_eq!(world.mass(home.cup), Some(0.3));
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    pub fn mass(&self, id: NodeId) -> Option<f32> {
-        self.thing(id).ok().map(|t| t.form.mass() * t.state.mass_factor)
-    }
-
-    /// Mass of a node as its asset is modelled, by parts and densities, kilograms. It
-    /// differs from [`mass`](Self::mass) where no member of the class has such a mass
-    /// and [`Settings::class_masses`] is on.
-    ///
-    /// ```
-    /// # let home = vc_testkit::kitchen::kitchen();
-    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
-    /// // A solid cylinder of wood, 600 kg a cubic metre.
-    /// let modelled = std::f32::consts::PI * 0.04 * 0.04 * 0.1 * 600.0;
-    /// assert!(world.modelled_mass(home.cup).is_some_and(|mass| (mass - modelled).abs() < 1e-3));
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    pub fn modelled_mass(&self, id: NodeId) -> Option<f32> {
-        self.thing(id).ok().map(|t| t.form.mass())
-    }
-
-    /// Centre of mass of a node's base, in the world's frame, metres.
-    ///
-    /// ```
-    /// # let home = vc_testkit::kitchen::kitchen();
-    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
-    /// let centre = world.centre_of_mass(home.cup).ok_or("no body")?;
-    /// assert!((centre.z - 0.791).abs() < 1e-4);
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    pub fn centre_of_mass(&self, id: NodeId) -> Option<Point3<f32>> {
-        self.body(id).map(|b| convert::point3(b.center_of_mass()))
     }
 
     /// The box around a node's shapes as they are now, moving parts with them.
@@ -155,18 +82,29 @@ impl PhysicsWorld {
         Some(around)
     }
 
-    /// The box around a node's shapes in the node's own frame, moving parts where its asset has them: its lowest and
-    /// its highest corner, metres. An agent has none.
-    ///
-    /// ```
-    /// # let home = vc_testkit::kitchen::kitchen();
-    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
-    /// let (low, high) = world.local_bounds(home.cup).ok_or("no body")?;
-    /// assert!((high.z - low.z - 0.1).abs() < 1e-4);
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    pub fn local_bounds(&self, id: NodeId) -> Option<(Point3<f32>, Point3<f32>)> {
-        self.thing(id).ok().map(|t| t.form.extent)
+    /// The pose of a moving part in the world's frame.
+    pub(crate) fn part_pose(&self, id: NodeId, part: usize) -> Option<Pose> {
+        let thing = self.thing(id).ok()?;
+        let joint = thing.form.links.get(part + 1)?.joint?;
+        Some(self.engine.pose(thing.state.base)? * joint.motion(self.part_position(thing, part)?))
+    }
+
+    /// The velocity of a thing's centre of mass, metres a second.
+    pub(crate) fn velocity(&self, thing: &Thing) -> Vector3<f32> {
+        self.base(thing).map_or_else(Vector3::zeros, |base| convert::vector3(base.linvel()))
+    }
+
+    /// The centre of mass of a thing's base, in the world's frame, metres.
+    pub(crate) fn centre_of_mass(&self, thing: &Thing) -> Option<Point3<f32>> {
+        self.base(thing).map(|base| convert::point3(base.center_of_mass()))
+    }
+
+    pub(crate) fn is_asleep(&self, thing: &Thing) -> bool {
+        self.base(thing).is_none_or(|base| base.is_sleeping() || base.is_fixed())
+    }
+
+    pub(crate) fn base(&self, thing: &Thing) -> Option<&RigidBody> {
+        self.engine.bodies.get(thing.state.base)
     }
 
     /// The box around some colliders.
@@ -175,20 +113,6 @@ impl PhysicsWorld {
         let boxes = colliders.map(|c| c.compute_aabb());
         let joint = boxes.reduce(|a, b| rapier3d::parry::bounding_volume::BoundingVolume::merged(&a, &b))?;
         Some(Aabb { min: convert::point3(joint.mins), max: convert::point3(joint.maxs) })
-    }
-
-    /// Whether a node's body sleeps: it lies still until something disturbs it. Fixed bodies always do.
-    ///
-    /// ```
-    /// # let home = vc_testkit::kitchen::kitchen();
-    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
-    /// assert!(!world.is_asleep(home.cup));
-    /// world.settle(300);
-    /// assert!(world.is_asleep(home.cup));
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    pub fn is_asleep(&self, id: NodeId) -> bool {
-        self.body(id).is_none_or(|b| b.is_sleeping() || b.is_fixed())
     }
 
     /// Number of bodies that are awake.

@@ -9,7 +9,7 @@ use nalgebra::{Point2, Point3, Vector2, Vector3};
 use vc_graph::{Asset, Bounds, Draft, NodeId, Pose, Relation};
 use vc_physics::{
     AgentError, BodyPlan, BodyRole, Floor, FloorOptions, Hand, PhysicsError, PhysicsWorld, Posture, ShapeCache,
-    SpotOrder, WalkState,
+    ShutDoors, SpotOrder, SpotSearch, WalkState,
 };
 
 fn position(world: &PhysicsWorld, id: NodeId) -> Vector3<f32> {
@@ -28,7 +28,7 @@ fn walking_at_speed_and_stopping() {
     world.run(60 * 4);
     let end = position(&world, me);
     assert!((end - Vector3::new(3.0, 2.0, 0.0)).norm() < 0.06, "{end:?}");
-    assert_eq!(world.walk(me).unwrap(), WalkState::Still);
+    assert_eq!(world.agent(me).unwrap().walk(), WalkState::Still);
     // It faces the direction in which it walked.
     assert!((world.pose(me).unwrap().rotation * Vector3::x()).y > 0.99);
     world.go(me, Vector2::new(-100.0, 0.0)).unwrap();
@@ -177,7 +177,7 @@ fn taking_carrying_and_putting_down() {
     let me = scene.agent(at(0.0, 0.0, 0.0));
     let mut world = scene.world();
     world.settle(200);
-    let reach: Vec<NodeId> = world.in_reach(me).unwrap().into_iter().map(|(id, _)| id).collect();
+    let reach: Vec<NodeId> = world.agent(me).unwrap().in_reach().into_iter().map(|(id, _)| id).collect();
     assert!(reach.contains(&tray) && reach.contains(&cup) && !reach.contains(&far), "{reach:?}");
     assert!(matches!(world.grab(me, Hand::Right, far), Err(AgentError::OutOfReach { .. })));
     assert!(matches!(world.grab(me, Hand::Right, heavy), Err(AgentError::TooHeavy { .. })));
@@ -198,7 +198,7 @@ fn taking_carrying_and_putting_down() {
     world.follow(me, &[Point2::new(-2.0, 0.0), Point2::new(0.05, 0.0)], false).unwrap();
     world.run(300);
     let near = SpotOrder::Near(Point3::new(0.4, 0.0, 0.75));
-    let spot = world.free_spot(tray, table, 0, 0.0, near).unwrap().unwrap();
+    let spot = SpotSearch::new(tray, table, false).order(near).find(&world).unwrap().unwrap();
     assert!(matches!(
         world.put(me, Hand::Right, at(0.7, 0.0, 0.72)),
         Err(AgentError::World(PhysicsError::Overlap { .. }))
@@ -227,7 +227,7 @@ fn what_is_held_pushes_nothing() {
     world.follow(me, &[Point2::new(0.2, 1.5)], false).unwrap();
     let before: Vec<_> = cubes.iter().map(|c| world.pose(*c)).collect();
     world.run(300);
-    assert_eq!(world.walk(me).unwrap(), WalkState::Still);
+    assert_eq!(world.agent(me).unwrap().walk(), WalkState::Still);
     assert_eq!(cubes.iter().map(|c| world.pose(*c)).collect::<Vec<_>>(), before);
 }
 
@@ -243,7 +243,7 @@ fn dropping() {
     world.run(10);
     assert!(position(&world, toy).z > 0.9);
     world.drop(me, Hand::Left).unwrap();
-    assert_eq!(world.velocity(toy), Some(Vector3::zeros()));
+    assert_eq!(world.body(toy).unwrap().velocity(), Vector3::zeros());
     assert!(world.settle(200).at_rest);
     assert!((position(&world, toy).z - 0.05).abs() < 0.01);
     // If a thing is removed from the world while it is held, the hand is empty.
@@ -289,11 +289,11 @@ fn sitting_lying_and_getting_up() {
     let people: Vec<_> = (0..4).map(|i| scene.agent(at(1.0, 0.7 * i as f32 - 1.0, 0.0))).collect();
     let mut world = scene.world();
     world.run(5);
-    assert_eq!(world.seats(sofa).len(), 3);
+    assert_eq!(world.body(sofa).unwrap().seats().len(), 3);
     for &person in &people[..3] {
-        world.sit(person, sofa).unwrap();
+        world.sit(person, sofa, None).unwrap();
     }
-    assert_eq!(world.sit(people[3], sofa), Err(AgentError::SeatTaken(sofa)));
+    assert_eq!(world.sit(people[3], sofa, None), Err(AgentError::SeatTaken(sofa)));
     let places: Vec<_> = people[..3].iter().map(|p| position(&world, *p)).collect();
     assert!(places.iter().all(|p| (p.z - 0.4).abs() < 1e-4 && (p.x - 2.0).abs() < 1e-4), "{places:?}");
     assert!(matches!(world.posture(people[0]), Some(Posture::Sitting(on, _)) if on == sofa));
@@ -331,13 +331,13 @@ fn seats_that_are_covered() {
     let people: Vec<_> = (0..2).map(|i| scene.agent(at(1.2, -0.5 + 0.6 * i as f32, 0.0))).collect();
     let mut world = scene.world();
     world.settle(200);
-    world.sit(people[0], sofa).unwrap();
+    world.sit(people[0], sofa, None).unwrap();
     assert!((position(&world, people[0]).y - 0.5).abs() < 0.05, "on the cushion: {:?}", world.pose(people[0]));
     let refused = AgentError::SeatCovered { seat: sofa, by: boxes[0] };
-    assert_eq!(world.sit(people[1], sofa), Err(refused));
+    assert_eq!(world.sit(people[1], sofa, None), Err(refused));
     world.place(boxes[0], at(0.0, 3.0, 0.151)).unwrap();
     world.settle(200);
-    world.sit(people[1], sofa).unwrap();
+    world.sit(people[1], sofa, None).unwrap();
     assert!(position(&world, people[1]).y.abs() < 0.05);
 }
 
@@ -350,7 +350,7 @@ fn who_sits_is_in_the_way() {
     let stool = scene.add("stool", stool, at(0.0, 0.0, 0.05));
     let (sitter, walker) = (scene.agent(at(0.5, 0.5, 0.0)), scene.agent(at(-2.0, 0.0, 0.0)));
     let mut world = scene.world();
-    world.sit(sitter, stool).unwrap();
+    world.sit(sitter, stool, None).unwrap();
     world.go(walker, Vector2::new(1.0, 0.0)).unwrap();
     let mut least = f32::MAX;
     for _ in 0..240 {
@@ -377,7 +377,7 @@ fn no_exit() {
     }
     let me = scene.agent(at(1.0, 0.0, 0.0));
     let mut world = scene.world();
-    world.sit(me, stool).unwrap();
+    world.sit(me, stool, None).unwrap();
     assert_eq!(world.stand_up(me), Err(AgentError::NoExit(stool)));
 }
 
@@ -397,7 +397,7 @@ fn people_meet_where_it_is_narrow() {
         world.run(1500);
         for (person, x) in people.iter().zip([3.0, -3.0]) {
             let p = position(&world, *person);
-            assert!((p.x - x).abs() < 0.1, "{half_width}: {p:?}, {:?}", world.walk(*person));
+            assert!((p.x - x).abs() < 0.1, "{half_width}: {p:?}, {:?}", world.agent(*person).unwrap().walk());
         }
     }
 }
@@ -424,7 +424,7 @@ fn people_walk_past_each_other() {
     }
     assert!(least > 0.39, "they came as near as {least} m");
     for (person, (x, y)) in people.iter().zip(corners) {
-        assert_eq!(world.walk(*person).unwrap(), WalkState::Still);
+        assert_eq!(world.agent(*person).unwrap().walk(), WalkState::Still);
         let p = position(&world, *person);
         assert!((p.xy() - Vector2::new(-x, -y)).norm() < 0.1, "{p:?}");
     }
@@ -443,18 +443,17 @@ fn walking_and_being_there_end_the_same() {
     let mut jumping = walking.clone();
     let floor = Floor::new(&walking, FloorOptions::default());
     let stand = floor.standing_pose(&walking, &BodyPlan::default(), Point2::new(-2.0, 0.0), toy).unwrap().unwrap();
-    let goal = stand.route.points.last().copied().unwrap();
-    let route = walking.walk_to(me, &floor, goal, true).unwrap();
-    assert!(route.length > 2.9);
-    while walking.walk(me).unwrap() == WalkState::Walking {
+    assert!(stand.route.length > 2.9);
+    walking.follow(me, &stand.route.points, true).unwrap();
+    while walking.agent(me).unwrap().walk() == WalkState::Walking {
         walking.step();
     }
-    jumping.arrive_at(me, &floor, goal).unwrap();
+    jumping.teleport(me, stand.feet).unwrap();
     jumping.step();
     let (a, b): (Pose, Pose) = (walking.pose(me).unwrap(), jumping.pose(me).unwrap());
     assert!((a.translation.vector - b.translation.vector).norm() < 0.05, "{a} {b}");
     for world in [&mut walking, &mut jumping] {
-        assert!(world.can_see(me, toy).unwrap());
+        assert!(floor.sees(world, &BodyPlan::default(), &world.pose(me).unwrap(), toy));
         world.grab(me, Hand::Right, toy).unwrap();
     }
 }
@@ -474,8 +473,9 @@ fn beside_a_door() -> (PhysicsWorld, NodeId, NodeId) {
 #[test]
 fn clear_of_a_door_that_swings() {
     let (mut world, me, door) = beside_a_door();
-    let clear =
-        |world: &PhysicsWorld, x: f32, y: f32, open: &[f32]| world.can_stand_with_open(me, &at(x, y, 0.0), door, open);
+    let clear = |world: &PhysicsWorld, x: f32, y: f32, open: &[f32]| {
+        world.standing(me, &at(x, y, 0.0)).unwrap().is_free_with_open(door, open)
+    };
     // In the door's way, but at neither its start nor its end.
     assert_eq!(clear(&world, 0.5, 0.0, &[0.0]), Ok(true));
     assert_eq!(clear(&world, 0.5, 0.0, &[0.5]), Ok(false));
@@ -485,16 +485,14 @@ fn clear_of_a_door_that_swings() {
     // Other things count at any position of the door.
     assert_eq!(clear(&world, -0.5, 0.0, &[0.0]), Ok(false));
     // The door counts at the queried position, not at its present one.
-    world.put_all_open(door, 1.0).unwrap();
-    assert_eq!(world.can_stand(me, &at(0.5, 0.4, 0.0)), Ok(false));
+    world.put_open(door, None, 1.0).unwrap();
+    assert!(!world.standing(me, &at(0.5, 0.4, 0.0)).unwrap().is_free());
     assert_eq!(clear(&world, 0.5, 0.4, &[0.0]), Ok(true));
     assert_eq!(clear(&world, 0.5, 0.4, &[1.0]), Ok(false));
     let nobody = NodeId(77);
-    assert_eq!(
-        world.can_stand_with_open(nobody, &at(0.5, 0.0, 0.0), door, &[0.0]),
-        Err(AgentError::NoSuchAgent(nobody))
-    );
-    assert!(world.can_stand_with_open(me, &at(0.5, 0.0, 0.0), nobody, &[0.0]).is_err());
+    let there = at(0.5, 0.0, 0.0);
+    assert_eq!(world.standing(nobody, &there).map(drop), Err(AgentError::NoSuchAgent(nobody)));
+    assert!(world.standing(me, &there).unwrap().is_free_with_open(nobody, &[0.0]).is_err());
 }
 
 #[test]
@@ -518,16 +516,40 @@ fn agents_refuse_nonsense() {
 #[test]
 fn open_doors_give_way() {
     let (mut world, me, door) = beside_a_door();
-    assert_eq!(world.parts_to_move_aside(me, &at(0.5, 0.4, 0.0)), Ok(Some(Vec::new())));
-    world.put_all_open(door, 1.0).unwrap();
-    assert_eq!(world.can_stand(me, &at(0.5, 0.4, 0.0)), Ok(false));
-    let aside = world.parts_to_move_aside(me, &at(0.5, 0.4, 0.0)).unwrap().unwrap();
-    assert!(matches!(aside[..], [(id, 0, open)] if id == door && open > 0.05 && open < 1.0), "{aside:?}");
-    aside.iter().try_for_each(|(id, part, open)| world.put_open(*id, *part, *open)).unwrap();
-    assert_eq!(world.can_stand(me, &at(0.5, 0.4, 0.0)), Ok(true));
-    assert_eq!(world.parts_to_move_aside(me, &at(-0.5, 0.0, 0.0)), Ok(None));
-    // A closed door does not open to let anybody in.
-    world.put_all_open(door, 0.0).unwrap();
-    assert_eq!(world.parts_to_move_aside(me, &at(0.0, 0.0, 0.0)), Ok(None));
-    assert!(world.parts_to_move_aside(NodeId(77), &at(0.0, 0.0, 0.0)).is_err());
+    let aside = |world: &PhysicsWorld, x: f32, y: f32, shut: ShutDoors| {
+        world.standing(me, &at(x, y, 0.0)).unwrap().parts_to_move_aside(shut)
+    };
+    let is_free = |world: &PhysicsWorld| world.standing(me, &at(0.5, 0.4, 0.0)).unwrap().is_free();
+    assert_eq!(aside(&world, 0.5, 0.4, ShutDoors::Stay), Some(Vec::new()));
+    world.put_open(door, None, 1.0).unwrap();
+    assert!(!is_free(&world));
+    let parts = aside(&world, 0.5, 0.4, ShutDoors::Stay).unwrap();
+    assert!(matches!(parts[..], [(id, 0, open)] if id == door && open > 0.05 && open < 1.0), "{parts:?}");
+    parts.iter().try_for_each(|(id, part, open)| world.put_open(*id, Some(*part), *open)).unwrap();
+    assert!(is_free(&world));
+    assert_eq!(aside(&world, -0.5, 0.0, ShutDoors::Stay), None);
+    // A closed door opens to let somebody in only if it may.
+    world.put_open(door, None, 0.0).unwrap();
+    assert_eq!(aside(&world, 0.0, 0.0, ShutDoors::Stay), None);
+    assert!(world.standing(NodeId(77), &at(0.0, 0.0, 0.0)).is_err());
+}
+
+/// Whoever sits on a thing that is removed stands beside it, and what was pinned to it falls.
+#[test]
+fn what_is_on_a_removed_thing_comes_off_it() {
+    let mut scene = Scene::default();
+    scene.floor(5.0, 0.5);
+    let stool = scene.solid("stool", block([0.2, 0.2, 0.22]), scene.wood);
+    let stool = scene.add("stool", stool, at(0.0, 0.0, 0.22));
+    let (me, toy) = (scene.agent(at(0.6, 0.0, 0.0)), scene.cube(0.05, at(0.0, 1.0, 1.5)));
+    let mut world = scene.world();
+    world.sit(me, stool, None).unwrap();
+    world.pin(toy, Some(stool)).unwrap();
+    world.run(30);
+    assert!((position(&world, toy).z - 1.5).abs() < 1e-3);
+    world.remove(stool).unwrap();
+    assert_eq!(world.posture(me), Some(Posture::Standing));
+    assert!(position(&world, me).xy().norm() > 0.4, "beside the seat");
+    world.settle(300);
+    assert!(position(&world, toy).z < 0.1 && position(&world, me).z < 0.02);
 }

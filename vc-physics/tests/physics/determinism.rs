@@ -53,7 +53,7 @@ fn act(world: &mut PhysicsWorld, step: u32, things: &[NodeId], others: Others) {
         2 => world.add_vehicle(car, &VehiclePlan::car(80.0, 0.6, 0.3, 0.08, 0.0)).unwrap(),
         5 => world.add_water(&Aabb { min: [-4.0, 1.0, 0.0].into(), max: [4.0, 4.0, 0.15].into() }).unwrap(),
         15 => world.steer(car, VehicleControls { throttle: 0.4, steering: 0.3, ..VehicleControls::default() }).unwrap(),
-        40 => world.sit(sitter, stool).unwrap(),
+        40 => world.sit(sitter, stool, None).unwrap(),
         120 => world.stand_up(sitter).unwrap(),
         10 => world.drive(chest, 0, 1.0).unwrap(),
         20 => world.drive(door, 0, 0.6).unwrap(),
@@ -74,7 +74,7 @@ trait Takes {
 
 impl Takes for PhysicsWorld {
     fn take_any(&mut self, agent: NodeId, things: &[NodeId]) {
-        let near = self.in_reach(agent).unwrap().first().map(|(id, _)| *id);
+        let near = self.agent(agent).unwrap().in_reach().first().map(|(id, _)| *id);
         if let Some(id) = near.filter(|id| things.contains(id)) {
             self.grab(agent, Hand::Right, id).unwrap();
         }
@@ -192,7 +192,7 @@ fn damaged_snapshots_are_refused() {
     }
     let mut newer = bytes.clone();
     newer[8] = 99;
-    assert_eq!(restore(&newer), Some(SnapshotError::Version { found: 99, expected: 7 }));
+    assert_eq!(restore(&newer), Some(SnapshotError::Version { found: 99, expected: 8 }));
     let other = Scene::default().graph();
     assert!(matches!(PhysicsWorld::restore(&bytes, &other, &shapes), Err(SnapshotError::OtherScene(_))));
 }
@@ -231,7 +231,7 @@ fn reset_moves_what_differs() {
     assert_eq!((plan.inserted.as_slice(), plan.turned.as_slice()), (&[new][..], &[chest][..]));
     assert!(world.settle(200).at_rest);
     assert!((world.pose(cubes[3]).unwrap().translation.z - 0.79).abs() < 0.006);
-    assert!(world.openness(chest).unwrap() > 0.999);
+    assert!(world.parts(chest).openness().unwrap() > 0.999);
     assert_eq!(world.pose(cubes[7]), None);
     assert_eq!(world.pose(cubes[20]), template.pose(cubes[20]));
     // The template is unchanged and can be used again.
@@ -261,7 +261,7 @@ fn a_reset_brings_agents_back() {
     let (same, _) = template.reset(&graph, &shapes).unwrap();
     assert_eq!(same.digest(), template.digest(), "who has only landed is left alone");
     template.follow(walker, &[Point2::new(-2.0, 2.0)], false).unwrap();
-    template.sit(sitter, stool).unwrap();
+    template.sit(sitter, stool, None).unwrap();
     template.run(200);
     let (mut world, plan) = template.reset(&graph, &shapes).unwrap();
     assert!(!plan.built);

@@ -8,7 +8,7 @@ use common::{Scene, at, block, part, plain, surface};
 use nalgebra::{Point3, Vector3};
 use vc_graph::asset::{Hold, Shape};
 use vc_graph::{Asset, NodeId, SceneGraph};
-use vc_physics::{Hand, PhysicsWorld, ShapeCache, SpotOrder};
+use vc_physics::{Hand, Packing, PhysicsWorld, ShapeCache, SpotFault, SpotOrder, SpotSearch, SpotWish};
 
 /// A box without a lid, 0.5 m by 0.4 m by 0.3 m inside.
 fn chest(scene: &mut Scene) -> NodeId {
@@ -42,18 +42,18 @@ fn what_is_too_tall_is_laid_down() {
     let long = scene.solid("long", block([0.3, 0.3, 0.3]), scene.wood);
     let long = scene.add("toy", long, at(-1.0, 0.0, 0.3));
     let mut world = scene.world();
-    let spot = world.free_spot_at(tall, chest, true, SpotOrder::Middle).unwrap().unwrap();
+    let spot = SpotSearch::new(tall, chest, true).find(&world).unwrap().unwrap();
     assert!(world.overlaps(tall, &spot).unwrap().is_empty());
     world.place(tall, spot).unwrap();
     let report = world.settle(300);
     assert!(report.at_rest && within(&world, tall, chest), "{report:?}");
-    assert_eq!(world.free_spot_at(long, chest, true, SpotOrder::Middle).unwrap(), None);
+    assert_eq!(SpotSearch::new(long, chest, true).find(&world).unwrap(), None);
     // On top of things nothing is laid down: it stands there or not at all.
     let mut scene = Scene::default();
     let table = scene.table(at(0.0, 0.0, 0.0));
     let cube = scene.cube(0.05, at(2.0, 0.0, 1.0));
     let world = scene.world();
-    let spot = world.free_spot_at(cube, table, false, SpotOrder::Middle).unwrap().unwrap();
+    let spot = SpotSearch::new(cube, table, false).find(&world).unwrap().unwrap();
     assert!(spot.rotation.angle() < 1e-6);
 }
 
@@ -72,8 +72,11 @@ fn burners_are_taken_one_after_the_other() {
     let mut world = scene.world();
     let mut middles = Vec::new();
     for &thing in &things {
-        let spot =
-            world.free_spot_at(thing, stove, false, SpotOrder::Near(Point3::new(0.0, -1.0, 0.9))).unwrap().unwrap();
+        let spot = SpotSearch::new(thing, stove, false)
+            .order(SpotOrder::Near(Point3::new(0.0, -1.0, 0.9)))
+            .find(&world)
+            .unwrap()
+            .unwrap();
         world.place(thing, spot).unwrap();
         world.settle(60);
         middles.push(spot.translation.vector.xy());
@@ -94,10 +97,10 @@ fn what_carries_something_is_not_tipped() {
     let on_it = scene.cube(0.04, at(1.0, 0.0, 0.441));
     let mut world = scene.world();
     world.settle(120);
-    assert_eq!(world.free_spot_at(tall, chest, true, SpotOrder::Middle).unwrap(), None);
+    assert_eq!(SpotSearch::new(tall, chest, true).find(&world).unwrap(), None);
     world.place(on_it, at(-1.0, 0.0, 0.041)).unwrap();
     world.settle(120);
-    assert!(world.free_spot_at(tall, chest, true, SpotOrder::Middle).unwrap().is_some());
+    assert!(SpotSearch::new(tall, chest, true).find(&world).unwrap().is_some());
 }
 
 /// Seventeen cubes are more than stand on the bottom of the chest, four by three of them.
@@ -111,8 +114,9 @@ fn things_are_heaped_in_containers_up_to_the_rim() {
     world.settle(60);
     let mut put = 0;
     for &cube in &cubes {
-        let flat = world.free_spot_at(cube, chest, true, SpotOrder::Middle).unwrap();
-        let Some(spot) = flat.or_else(|| world.heaped_spot_where(cube, chest, SpotOrder::Middle, |_| true).unwrap())
+        let flat = SpotSearch::new(cube, chest, true).find(&world).unwrap();
+        let Some(spot) =
+            flat.or_else(|| SpotSearch::new(cube, chest, true).packing(Packing::Heaped).find(&world).unwrap())
         else {
             break;
         };
@@ -145,8 +149,11 @@ fn a_round_table_is_used_up_to_its_edge() {
     world.place(plates[0], at(0.0, 0.0, 0.763)).unwrap();
     world.settle(60);
     for &plate in &plates[1..] {
-        let spot =
-            world.free_spot_at(plate, table, false, SpotOrder::Near(Point3::new(0.0, -1.0, 0.75))).unwrap().unwrap();
+        let spot = SpotSearch::new(plate, table, false)
+            .order(SpotOrder::Near(Point3::new(0.0, -1.0, 0.75)))
+            .find(&world)
+            .unwrap()
+            .unwrap();
         world.place(plate, spot).unwrap();
         let report = world.settle(120);
         assert!(report.at_rest && world.supports(plate) == [table], "{report:?}");
@@ -154,7 +161,8 @@ fn a_round_table_is_used_up_to_its_edge() {
     for (x, y) in [(0.5, 0.0), (0.5, 0.5)] {
         let near = SpotOrder::Near(Point3::new(x, y, 0.75));
         (0..5).for_each(|i| world.place(plates[i], at(2.0 + 0.4 * i as f32, 0.0, 0.012)).unwrap());
-        let spot = world.packed_spot_where(plates[0], table, false, near, |_| true).unwrap().unwrap();
+        let spot =
+            SpotSearch::new(plates[0], table, false).order(near).packing(Packing::Close).find(&world).unwrap().unwrap();
         world.place(plates[0], spot).unwrap();
         world.settle(120);
         let far = world.pose(plates[0]).unwrap().translation.vector.xy().norm();
@@ -178,20 +186,21 @@ fn cloth_is_folded_up_in_the_hand() {
     let (mut graph, chest, shirt, me) = shirt();
     let shapes = ShapeCache::new();
     let mut world = PhysicsWorld::build(&graph, &shapes, plain()).unwrap();
-    assert_eq!(world.free_spot_at(shirt, chest, true, SpotOrder::Middle).unwrap(), None);
+    assert_eq!(SpotSearch::new(shirt, chest, true).find(&world).unwrap(), None);
     world.grab(me, Hand::Right, shirt).unwrap();
-    let (mass, by) = (world.mass(shirt).unwrap(), world.folded_size(shirt).unwrap().unwrap());
+    let (mass, by) = (world.body(shirt).unwrap().mass(), world.body(shirt).unwrap().folded_scale().unwrap());
     let mut edit = graph.edit();
     edit.set_scale(shirt, by).unwrap();
     edit.commit();
     world.reshape(&graph, shirt, &shapes).unwrap();
     assert_eq!(world.held(me, Hand::Right), Some(shirt));
-    assert!((world.mass(shirt).unwrap() - mass).abs() < 1e-4 * mass, "folding takes nothing away");
+    assert!((world.body(shirt).unwrap().mass() - mass).abs() < 1e-4 * mass, "folding takes nothing away");
     // So dense that seven kilograms fill a drum of sixty litres.
     let size = world.aabb(shirt).map(|b| b.max - b.min).unwrap();
     assert!((mass / size.product() - 115.0).abs() < 1.0, "{mass} kg in {size:?}");
-    assert!(world.folded_size(shirt).unwrap().is_none(), "it gets no smaller");
-    let spot = world.free_spot_at(shirt, chest, true, SpotOrder::Near(Point3::origin())).unwrap().unwrap();
+    assert!(world.body(shirt).unwrap().folded_scale().is_none(), "it gets no smaller");
+    let spot =
+        SpotSearch::new(shirt, chest, true).order(SpotOrder::Near(Point3::origin())).find(&world).unwrap().unwrap();
     world.put(me, Hand::Right, spot).unwrap();
     let report = world.settle(300);
     assert!(report.at_rest && within(&world, shirt, chest), "{report:?}");
@@ -214,7 +223,7 @@ fn what_has_moving_parts_is_not_reshaped() {
     edit.commit();
     assert!(world.reshape(&graph, chest, &shapes).is_err());
     assert!(world.reshape(&graph, NodeId(999), &shapes).is_err());
-    assert!(world.folded_size(NodeId(999)).is_err());
+    assert!(world.body(NodeId(999)).is_err());
 }
 
 /// One of two boards on a tray is said to come along; the other is left where it was, and falls.
@@ -230,7 +239,7 @@ fn what_does_not_come_along_is_left_behind() {
     let mut world = scene.world();
     world.settle(200);
     let before = world.pose(other).unwrap().translation.vector;
-    world.grab_where(me, Hand::Right, tray, |id| id == one).unwrap();
+    world.grab_with_load(me, Hand::Right, tray, &[one]).unwrap();
     world.settle(200);
     let after = world.pose(other).unwrap().translation.vector;
     assert!((before - after).xy().norm() < 0.05 && (0.015..0.025).contains(&(before - after).z), "{after:?}");
@@ -254,7 +263,7 @@ fn what_is_deeper_than_a_seat_reaches_over_it_little() {
     let pillow = scene.solid("pillow", block([0.3, 0.26, 0.06]), w);
     let pillow = scene.add("pillow", pillow, at(2.0, 0.0, 0.06));
     let mut world = scene.world();
-    let spot = world.free_spot_at(pillow, sofa, false, SpotOrder::Middle).unwrap().unwrap();
+    let spot = SpotSearch::new(pillow, sofa, false).find(&world).unwrap().unwrap();
     world.place(pillow, spot).unwrap();
     let over = world.aabb(pillow).unwrap().max.x - 0.25;
     assert!(over < 0.22, "{over} m over the edge");
@@ -268,7 +277,25 @@ fn thin_rings_are_as_wide_as_they_are() {
     let profile = vec![(0.06, 0.0), (0.1, 0.06), (0.09, 0.0615), (0.05, 0.006), (0.0, 0.006), (0.0, 0.0)];
     let bowl = scene.solid("bowl", Shape::Lathe { profile }, scene.wood);
     let bowl = scene.add("bowl", bowl, at(0.0, 0.0, 1.0));
-    let (low, high) = scene.world().local_bounds(bowl).unwrap();
+    let (low, high) = scene.world().body(bowl).unwrap().local_bounds();
     let wide = [low.x, low.y, high.x, high.y].map(f32::abs).into_iter().fold(0.0, f32::max);
     assert!((0.094..0.1005).contains(&wide), "{wide} m");
+}
+
+/// Where a spot is asked for without a point, the reason says what does not fit, not that others are in the way.
+#[test]
+fn what_does_not_fit_is_told_why() {
+    let mut scene = Scene::default();
+    scene.floor(5.0, 0.5);
+    let chest = chest(&mut scene);
+    let parts = vec![part("board", block([0.26, 0.21, 0.01]), at(0.0, 0.0, 0.01), scene.wood)];
+    let surfaces = vec![surface("board", Hold::Inside, [0.0, 0.0, 0.02], (0.2, 0.15), Some(0.1))];
+    let low = scene.asset(Asset { name: "low".into(), parts, surfaces, ..Asset::default() });
+    let low = scene.add("dresser", low, at(2.0, 0.0, 0.0));
+    let wide = scene.solid("board", block([0.5, 0.5, 0.05]), scene.wood);
+    let (wide, cube) = (scene.add("toy", wide, at(0.0, 3.0, 0.05)), scene.cube(0.08, at(0.0, -3.0, 0.08)));
+    let world = scene.world();
+    let why = |id, at| SpotSearch::new(id, at, true).wished(&world, &SpotWish::default(), |_| true).unwrap();
+    assert_eq!(why(cube, low), Err(SpotFault::TooLow));
+    assert_eq!(why(wide, chest), Err(SpotFault::Unsupported));
 }

@@ -19,24 +19,24 @@ fn doors_and_drawers_follow_the_graph_and_back() {
     let mut graph = scene.graph();
     common::open(&mut graph, ajar);
     let mut world = PhysicsWorld::build(&graph, &ShapeCache::new(), plain()).unwrap();
-    assert_eq!((world.openness(shut), world.openness(ajar)), (Some(0.0), Some(1.0)));
-    assert_eq!(world.open_state(shut), Some(State::Closed));
-    assert_eq!(world.open_state(ajar), Some(State::Open));
+    assert_eq!((world.parts(shut).openness(), world.parts(ajar).openness()), (Some(0.0), Some(1.0)));
+    assert_eq!(world.parts(shut).state(), Some(State::Closed));
+    assert_eq!(world.parts(ajar).state(), Some(State::Open));
     world.drive(shut, 0, 1.0).unwrap();
     world.drive(ajar, 0, 0.0).unwrap();
     world.run(30);
-    let part_way = world.openness(shut).unwrap();
+    let part_way = world.parts(shut).openness().unwrap();
     assert!(part_way > 0.1 && part_way < 0.999, "it swings: {part_way}");
     assert!(world.settle(400).at_rest);
-    assert_eq!((world.open_state(shut), world.open_state(ajar)), (Some(State::Open), Some(State::Closed)));
-    assert!(world.openness(ajar).unwrap() < 0.006);
+    assert_eq!((world.parts(shut).state(), world.parts(ajar).state()), (Some(State::Open), Some(State::Closed)));
+    assert!(world.parts(ajar).openness().unwrap() < 0.006);
     // A closed, latched door does not give way; a locked one cannot be opened.
     world.push(ajar, Vector3::x(), Point3::origin()).unwrap_err();
     world.lock(ajar, 0, true).unwrap();
     assert_eq!(world.drive(ajar, 0, 1.0), Err(PhysicsError::Locked(ajar)));
     world.lock(ajar, 0, false).unwrap();
-    world.put_open(ajar, 0, 0.5).unwrap();
-    assert!((world.openness(ajar).unwrap() - 0.5).abs() < 1e-3);
+    world.put_open(ajar, Some(0), 0.5).unwrap();
+    assert!((world.parts(ajar).openness().unwrap() - 0.5).abs() < 1e-3);
     assert_eq!(world.drive(ajar, 7, 1.0), Err(PhysicsError::NoSuchPart { id: ajar, part: 7, count: 1 }));
 }
 
@@ -51,12 +51,12 @@ fn a_door_does_not_go_through_a_person() {
     let mut world = scene.world();
     world.drive(door, 0, 1.0).unwrap();
     world.run(300);
-    let open = world.openness(door).unwrap();
+    let open = world.parts(door).openness().unwrap();
     assert!(open > 0.02 && open < 0.8, "{open}");
     world.teleport(me, at(3.0, 3.0, 0.0)).unwrap();
     world.drive(door, 0, 1.0).unwrap();
     world.settle(400);
-    assert!(world.openness(door).unwrap() > 0.99);
+    assert!(world.parts(door).openness().unwrap() > 0.99);
 }
 
 /// The contents of a drawer come along, whether it is driven or set.
@@ -71,18 +71,18 @@ fn a_drawer_takes_its_content_along() {
         let mut world = scene.world();
         world.settle(200);
         if pinned {
-            world.pin(spoon).unwrap();
+            world.pin(spoon, None).unwrap();
         }
         let before = world.pose(spoon).unwrap().translation;
         if at_once {
-            world.put_open(chest, 0, 1.0).unwrap();
+            world.put_open(chest, Some(0), 1.0).unwrap();
         } else {
             world.drive(chest, 0, 1.0).unwrap();
         }
         assert!(world.settle(400).at_rest);
         let moved = world.pose(spoon).unwrap().translation.vector - before.vector;
         assert!((moved.x - 0.3).abs() < 0.03 && moved.z.abs() < 0.005, "{at_once} {pinned}: {moved:?}");
-        let shelf = &world.support_surfaces(chest)[1];
+        let shelf = &world.body(chest).unwrap().support_surfaces()[1];
         assert!((shelf.pose.translation.x - 0.31).abs() < 0.003, "{shelf:?}");
     }
 }
@@ -102,11 +102,11 @@ fn a_drawer_of_a_light_chest_takes_its_content_along() {
     let chest = light_chest(&mut scene);
     let spoon = scene.cube(0.03, at(0.0, 0.05, 0.245));
     let mut world = scene.world();
-    assert!(!world.moving_parts(chest)[0].has_motor);
+    assert!(!world.parts(chest).all()[0].has_motor);
     world.settle(200);
     let shut = world.pose(spoon).unwrap().translation.vector;
     for (open, along) in [(1.0, 0.3), (0.0, 0.0), (1.0, 0.3)] {
-        assert!(world.set_openness(chest, open).unwrap(), "{:?}", world.blockers(chest, open));
+        assert!(world.set_openness(chest, open, &[]).unwrap(), "{:?}", world.parts(chest).blockers(open));
         world.settle(100);
         let moved = world.pose(spoon).unwrap().translation.vector - shut;
         assert!((moved - Vector3::x() * along).norm() < 0.01, "{open}: {moved:?}");
@@ -128,14 +128,14 @@ fn what_sticks_out_of_a_drawer_keeps_it_open() {
     let short = scene.cube(0.03, at(2.0, 1.0, 0.03));
     let mut world = scene.world();
     // Nothing keeps open a drawer that is shut.
-    assert!(!world.keeps_open(rod, chest, &at(0.3, 0.15, 0.4)).unwrap());
-    world.put_open(chest, 0, 1.0).unwrap();
-    assert!(world.keeps_open(rod, chest, &at(0.35, 0.15, 0.4)).unwrap());
-    assert!(!world.keeps_open(short, chest, &at(0.35, 0.15, 0.25)).unwrap());
+    assert!(!world.parts(chest).are_kept_open_by(rod, &at(0.3, 0.15, 0.4)).unwrap());
+    world.put_open(chest, Some(0), 1.0).unwrap();
+    assert!(world.parts(chest).are_kept_open_by(rod, &at(0.35, 0.15, 0.4)).unwrap());
+    assert!(!world.parts(chest).are_kept_open_by(short, &at(0.35, 0.15, 0.25)).unwrap());
     world.place(rod, at(0.35, 0.15, 0.4)).unwrap();
     world.settle(60);
-    assert!(!world.set_openness(chest, 0.0).unwrap());
-    assert_eq!(world.blockers(chest, 0.0).unwrap(), [beside]);
+    assert!(!world.set_openness(chest, 0.0, &[]).unwrap());
+    assert_eq!(world.parts(chest).blockers(0.0).unwrap(), [beside]);
 }
 
 /// A light box with a heavy lid, whose centre of mass moves by centimetres with the lid, stands still meanwhile.
@@ -154,7 +154,7 @@ fn a_light_box_stands_still_when_its_lid_turns() {
     assert!(world.settle(200).at_rest);
     let before = world.pose(hamper).unwrap().translation.vector;
     for open in [1.0, 0.0, 1.0, 0.0] {
-        world.put_open(hamper, 0, open).unwrap();
+        world.put_open(hamper, Some(0), open).unwrap();
         for step in 0..30 {
             world.step();
             let moved = (world.pose(hamper).unwrap().translation.vector - before).norm();
@@ -175,8 +175,8 @@ fn a_drawer_does_not_rub_against_its_neighbours() {
     let mut world = scene.world();
     world.drive(chests[1], 0, 1.0).unwrap();
     assert!(world.settle(400).at_rest);
-    assert!(world.openness(chests[1]).unwrap() > 0.99);
-    assert_eq!([world.openness(chests[0]), world.openness(chests[2])], [Some(0.0), Some(0.0)]);
+    assert!(world.parts(chests[1]).openness().unwrap() > 0.99);
+    assert_eq!([world.parts(chests[0]).openness(), world.parts(chests[2]).openness()], [Some(0.0), Some(0.0)]);
     assert_eq!(world.pose(snug), Some(at(0.1, 0.265, 0.3)));
 }
 
@@ -200,10 +200,10 @@ fn lids_stay_or_fall() {
         scene.floor(5.0, 0.5);
         let chest = lidded(&mut scene);
         let mut world = scene.world_with(Settings { balanced, ..plain() });
-        world.put_open(chest, 0, 0.6).unwrap();
-        assert!(world.part_pose(chest, 0).unwrap().rotation.angle() > 0.5);
+        world.put_open(chest, Some(0), 0.6).unwrap();
+        assert!(world.parts(chest).pose(0).unwrap().rotation.angle() > 0.5);
         world.settle(600);
-        let open = world.openness(chest).unwrap();
+        let open = world.parts(chest).openness().unwrap();
         assert!(if balanced { (open - 0.6).abs() < 0.01 } else { open < 0.01 }, "{balanced}: {open}");
     }
 }
@@ -232,11 +232,11 @@ fn milk_rides_in_the_fridge_door() {
     let milk = scene.cube(0.04, at(0.28, -0.1, 1.051));
     let mut world = scene.world();
     world.settle(300);
-    let (before, closed) = (world.pose(milk).unwrap(), world.part_pose(fridge, 0).unwrap());
+    let (before, closed) = (world.pose(milk).unwrap(), world.parts(fridge).pose(0).unwrap());
     world.drive(fridge, 0, 1.0).unwrap();
     assert!(world.settle(900).at_rest);
-    assert!(world.openness(fridge).unwrap() > 0.98);
-    let carried = world.part_pose(fridge, 0).unwrap() * closed.inverse() * before;
+    assert!(world.parts(fridge).openness().unwrap() > 0.98);
+    let carried = world.parts(fridge).pose(0).unwrap() * closed.inverse() * before;
     let now = world.pose(milk).unwrap();
     assert!((now.translation.vector - carried.translation.vector).norm() < 0.05, "{now}, carried {carried}");
     assert!((now.translation.z - before.translation.z).abs() < 0.006);
@@ -260,20 +260,20 @@ fn a_window_of_two_leaves() {
         scene.asset(Asset { name: "window".into(), parts: vec![sill, leaf(1.0), leaf(-1.0)], ..Asset::default() });
     let window = scene.add("window", window, at(0.0, 0.0, 0.0));
     let mut world = scene.world();
-    let open = |world: &PhysicsWorld| world.moving_parts(window).iter().map(|p| p.open).collect::<Vec<f32>>();
+    let open = |world: &PhysicsWorld| world.parts(window).all().iter().map(|p| p.open).collect::<Vec<f32>>();
     world.drive(window, 1, 1.0).unwrap();
     assert!(world.settle(600).at_rest);
     let now = open(&world);
     assert!(now[0] < 0.01 && now[1] > 0.98, "{now:?}");
-    world.put_all_open(window, 0.5).unwrap();
+    world.put_open(window, None, 0.5).unwrap();
     assert!(open(&world).iter().all(|o| (o - 0.5).abs() < 1e-3), "{:?}", open(&world));
     let before = world.digest();
-    assert!(world.put_all_open(window, f32::NAN).is_err() && world.put_all_open(NodeId(77), 0.5).is_err());
+    assert!(world.put_open(window, None, f32::NAN).is_err() && world.put_open(NodeId(77), None, 0.5).is_err());
     assert_eq!(world.digest(), before);
     world.drive(window, 0, 0.0).unwrap();
     world.drive(window, 1, 0.0).unwrap();
     world.settle(600);
-    assert_eq!(world.open_state(window), Some(State::Closed));
+    assert_eq!(world.parts(window).state(), Some(State::Closed));
 }
 
 /// A door that is opened at once ends where it ends when opened over time; if a person is in the way it stays
@@ -293,13 +293,13 @@ fn doors_that_leap() {
     let ((mut driven, door), (mut at_once, _)) = (scene(false), scene(false));
     driven.drive(door, 0, 1.0).unwrap();
     driven.settle(600);
-    assert!(at_once.set_openness(door, 1.0).unwrap());
+    assert!(at_once.set_openness(door, 1.0, &[]).unwrap());
     at_once.settle(100);
-    let angle = |world: &PhysicsWorld| world.moving_parts(door)[0].position;
+    let angle = |world: &PhysicsWorld| world.parts(door).all()[0].position;
     assert!((angle(&driven) - angle(&at_once)).abs() < 0.01, "{} {}", angle(&driven), angle(&at_once));
     let (mut blocked, door) = scene(true);
     let before = blocked.digest();
-    assert!(!blocked.set_openness(door, 1.0).unwrap());
+    assert!(!blocked.set_openness(door, 1.0, &[]).unwrap());
     assert_eq!(blocked.digest(), before);
 }
 
@@ -338,9 +338,9 @@ fn racked(wall: bool) -> (PhysicsWorld, vc_graph::NodeId, vc_graph::NodeId) {
 #[test]
 fn what_is_in_the_way_moves_first() {
     let (mut world, cupboard, jar) = racked(false);
-    let open = |world: &PhysicsWorld| world.moving_parts(cupboard).iter().map(|p| p.open).collect::<Vec<f32>>();
+    let open = |world: &PhysicsWorld| world.parts(cupboard).all().iter().map(|p| p.open).collect::<Vec<f32>>();
     for wanted in [1.0, 0.0] {
-        assert!(world.set_openness(cupboard, wanted).unwrap());
+        assert!(world.set_openness(cupboard, wanted, &[]).unwrap());
         world.settle(200);
         assert!(open(&world).iter().all(|o| (o - wanted).abs() < 0.01), "{:?}", open(&world));
         assert_eq!(world.supports(jar), [cupboard]);
@@ -351,8 +351,8 @@ fn what_is_in_the_way_moves_first() {
 #[test]
 fn a_door_opens_as_far_as_its_load_goes() {
     let (mut world, cupboard, jar) = racked(true);
-    assert!(world.set_openness(cupboard, 1.0).unwrap());
-    let parts = world.moving_parts(cupboard);
+    assert!(world.set_openness(cupboard, 1.0, &[]).unwrap());
+    let parts = world.parts(cupboard).all();
     assert!(parts[0].open > 0.99 && (0.5..0.9).contains(&parts[1].open), "{parts:?}");
     let before = world.pose(jar).unwrap().translation.vector;
     world.settle(200);

@@ -20,7 +20,7 @@ fn free_fall() {
     // Symplectic Euler falls g/2 dt t farther than the parabola.
     let fallen = 10.0 - world.pose(ball).unwrap().translation.z;
     assert!((fallen - 4.905).abs() < 0.1, "{fallen}");
-    let speed = -world.velocity(ball).unwrap().z;
+    let speed = -world.body(ball).unwrap().velocity().z;
     assert!((speed - 9.81).abs() < 0.01, "{speed}");
 }
 
@@ -128,8 +128,8 @@ fn period_of_a_pendulum_door() {
     let flap = flap(&mut scene);
     let settings = Settings { balanced: false, latches: false, hinge_friction: 0.0, substeps: 4, ..plain() };
     let mut world = scene.world_with(settings);
-    world.put_open(flap, 0, 0.1).unwrap();
-    let start = world.moving_parts(flap)[0].position;
+    world.put_open(flap, Some(0), 0.1).unwrap();
+    let start = world.parts(flap).all()[0].position;
     // Small swings: 2 pi sqrt(I / (m g d)), with the inertia around the hinge.
     let (height, thick, arm) = (1.0_f32, 0.04_f32, 0.5_f32);
     let inertia = (height * height + thick * thick) / 12.0 + arm * arm;
@@ -137,7 +137,7 @@ fn period_of_a_pendulum_door() {
     let (mut crossings, mut before) = (Vec::new(), start);
     for step in 0..600 {
         world.step();
-        let now = world.moving_parts(flap)[0].position;
+        let now = world.parts(flap).all()[0].position;
         if before > 0.0 && now <= 0.0 {
             crossings.push(step as f32 + before / (before - now));
         }
@@ -155,8 +155,8 @@ fn friction_of_a_pendulum_door() {
     let friction = 0.05;
     let settings = Settings { balanced: false, latches: false, hinge_friction: friction, substeps: 4, ..plain() };
     let mut world = scene.world_with(settings);
-    world.put_open(flap, 0, 0.6).unwrap();
-    let position = |world: &PhysicsWorld| world.moving_parts(flap)[0].position;
+    world.put_open(flap, Some(0), 0.6).unwrap();
+    let position = |world: &PhysicsWorld| world.parts(flap).all()[0].position;
     let (mut ends, mut before) = (vec![position(&world)], [position(&world); 2]);
     for _ in 0..600 {
         world.step();
@@ -188,10 +188,10 @@ fn a_drawer_at_its_limits() {
         world.drive(chest, 0, open).unwrap();
         for _ in 0..240 {
             world.step();
-            let position = world.moving_parts(chest)[0].position;
+            let position = world.parts(chest).all()[0].position;
             assert!((-0.005..=0.305).contains(&position), "{position}");
         }
-        let position = world.moving_parts(chest)[0].position;
+        let position = world.parts(chest).all()[0].position;
         assert!((position - expected).abs() < 0.005, "{position}, should be {expected}");
     }
     assert_eq!(world.awake(), 0);
@@ -218,8 +218,11 @@ fn depth_of_a_floating_block() {
         world.step();
         highest = highest.max(world.pose(ball).unwrap().translation.z);
     }
-    assert!(world.is_asleep(rock), "what has sunk comes to rest");
-    assert!(world.is_asleep(wood) && world.is_asleep(ball), "so does what floats, within twenty seconds");
+    assert!(world.body(rock).unwrap().is_asleep(), "what has sunk comes to rest");
+    assert!(
+        world.body(wood).unwrap().is_asleep() && world.body(ball).unwrap().is_asleep(),
+        "so does what floats, within twenty seconds"
+    );
     // 0.6 of 0.2 m is below: the middle is 0.02 m below the surface.
     let middle = world.pose(wood).unwrap().translation.z;
     assert!((middle - 0.98).abs() < 0.003, "{middle}");
@@ -250,10 +253,10 @@ fn momentum_of_a_collision() {
     let (a, b) = (scene.add("ball", small, at(0.0, 0.0, 5.0)), scene.add("ball", large, at(1.0, 0.0, 5.0)));
     let mut world = scene.world_with(Settings { gravity: 0.0, ..plain() });
     world.set_velocity(a, Vector3::new(3.0, 0.0, 0.0), Vector3::zeros()).unwrap();
-    let (ma, mb) = (world.mass(a).unwrap(), world.mass(b).unwrap());
+    let (ma, mb) = (world.body(a).unwrap().mass(), world.body(b).unwrap().mass());
     assert!((mb / ma - 3.375).abs() < 1e-3);
     world.run(60);
-    let (va, vb) = (world.velocity(a).unwrap().x, world.velocity(b).unwrap().x);
+    let (va, vb) = (world.body(a).unwrap().velocity().x, world.body(b).unwrap().velocity().x);
     assert!((ma * va + mb * vb - ma * 3.0).abs() < ma * 3.0 * 0.01, "{va} {vb}");
     // Elastic: v_b = 2 m_a / (m_a + m_b) v.
     assert!((vb - 2.0 / 4.375 * 3.0).abs() < 0.15, "{vb}");
@@ -270,7 +273,7 @@ fn speed_of_a_sinking_stone() {
     let mut world = scene.world();
     world.add_water(&vc_graph::Aabb { min: [-5.0, -5.0, 0.0].into(), max: [5.0, 5.0, 45.0].into() }).unwrap();
     world.run(240);
-    let speed = -world.velocity(stone).unwrap().z;
+    let speed = -world.body(stone).unwrap().velocity().z;
     let expected = (2.0_f32 * 0.001 * 1600.0 * 9.81 / (1000.0 * 0.01)).sqrt();
     assert!((speed / expected - 1.0).abs() < 0.1, "{speed} m/s, should be {expected} m/s");
 }
@@ -296,13 +299,13 @@ fn stopping_distance_of_a_car() {
     let height = world.pose(car).unwrap().translation.z;
     assert!(height.abs() < 0.05, "it stands on its springs: {height}");
     world.steer(car, VehicleControls { throttle: 1.0, ..VehicleControls::default() }).unwrap();
-    while world.speed(car).unwrap() < 15.0 {
+    while world.vehicle(car).unwrap().speed() < 15.0 {
         world.step();
-        assert!(world.time() < 20.0, "{:?}", world.speed(car));
+        assert!(world.time() < 20.0, "{}", world.vehicle(car).unwrap().speed());
     }
     world.steer(car, VehicleControls { brake: 1.0, ..VehicleControls::default() }).unwrap();
-    let (v, from) = (world.speed(car).unwrap(), world.pose(car).unwrap().translation.x);
-    while world.speed(car).unwrap() > 0.05 && world.time() < 40.0 {
+    let (v, from) = (world.vehicle(car).unwrap().speed(), world.pose(car).unwrap().translation.x);
+    while world.vehicle(car).unwrap().speed() > 0.05 && world.time() < 40.0 {
         world.step();
     }
     let distance = world.pose(car).unwrap().translation.x - from;
@@ -365,7 +368,7 @@ fn a_car_turns_and_climbs_a_ramp() {
     left.steer(car, VehicleControls { throttle: 0.3, steering: 0.5, ..VehicleControls::default() }).unwrap();
     left.run(120);
     assert!(left.pose(car).unwrap().translation.y > 0.3, "{:?}", left.pose(car));
-    assert_eq!(left.wheels(car).len(), 4);
+    assert_eq!(left.vehicle(car).unwrap().wheels().len(), 4);
 }
 
 /// One drop test for each shape whose axis differs in the engine.

@@ -320,12 +320,12 @@ fn doors_block_and_open() {
     let straight = (right - left).norm();
     assert!(route.length >= straight && route.length < straight * 1.1);
     for &door in &doors {
-        world.put_open(door, 0, 1.0).unwrap();
+        world.put_open(door, Some(0), 1.0).unwrap();
     }
     assert!(floor.update(&world) && !floor.update(&world));
     let open = floor.route(left, right).unwrap();
     assert!((open.length / route.length - 1.0).abs() < 0.05, "the leaf leaves room");
-    world.put_open(doors[1], 0, 0.0).unwrap();
+    world.put_open(doors[1], Some(0), 0.0).unwrap();
     world.lock(doors[1], 0, true).unwrap();
     assert!(any.update(&world));
     assert_eq!(any.route(left, right), None, "one is locked");
@@ -340,7 +340,7 @@ fn open_drawers_are_shut_in_passing() {
     let chest = scene.add("kitchen_cabinet", chest, at(4.0, 0.0, 0.0));
     scene.wall([4.75, -2.0, 0.0], [4.85, 2.0, 2.6]);
     let mut world = scene.world();
-    world.put_open(chest, 0, 1.0).unwrap();
+    world.put_open(chest, Some(0), 1.0).unwrap();
     let (a, b) = (Point2::new(4.5, -1.5), Point2::new(4.5, 1.5));
     let straight = FloorOptions { radius: 0.15, ..FloorOptions::default() };
     let route = Floor::new(&world, straight).route(a, b).unwrap();
@@ -453,8 +453,9 @@ fn the_nearest_place_to_stand() {
         let feet = at(spot.x, spot.y, 0.0);
         if floor.is_free(spot) && length(spot).is_some_and(|l| l < best) {
             world.teleport(me, feet).unwrap();
-            let reach = world.in_reach(me).unwrap().iter().any(|(id, far)| *id == cup && *far < plan.reach - 0.06);
-            if reach && world.can_see(me, cup).unwrap() {
+            let reach =
+                world.agent(me).unwrap().in_reach().iter().any(|(id, far)| *id == cup && *far < plan.reach - 0.06);
+            if reach && floor.sees(&world, &plan, &feet, cup) {
                 best = length(spot).unwrap();
             }
         }

@@ -8,7 +8,7 @@ use common::{Scene, at, block, part, plain, turned};
 use nalgebra::{Point2, Point3, Vector2, Vector3};
 use vc_graph::asset::{Joint, JointKind};
 use vc_graph::{Asset, NodeId, Pose, Seed};
-use vc_physics::{AgentError, BodyRole, PhysicsError, PhysicsWorld, RestProgress, ShapeCache, WalkState};
+use vc_physics::{BodyRole, PhysicsError, PhysicsWorld, RestProgress, ShapeCache};
 
 /// A cupboard with two sliding boards behind a door with a rack, things at random on all of them and in front, perhaps
 /// a wall beside it, and a person about.
@@ -50,17 +50,17 @@ fn cupboard(seed: u64) -> (PhysicsWorld, NodeId, NodeId) {
 }
 
 fn openness(world: &PhysicsWorld, id: NodeId) -> Vec<f32> {
-    world.moving_parts(id).iter().map(|part| part.open).collect()
+    world.parts(id).all().iter().map(|part| part.open).collect()
 }
 
 /// A copy in which the parts that come first, doors before drawers and drawers before doors that shut, are where a plan
 /// has them, if they go all the way: a plan made then is the same.
 fn midway(world: &PhysicsWorld, id: NodeId, open: f32, plan: Option<&[f32]>) -> Option<PhysicsWorld> {
     let first = if open > 0.0 { JointKind::Hinge } else { JointKind::Slide };
-    let (mut copy, parts) = (world.clone(), world.moving_parts(id));
+    let (mut copy, parts) = (world.clone(), world.parts(id).all());
     for (part, to) in plan?.iter().enumerate().filter(|(part, _)| parts[*part].kind == first) {
         (*to == open).then_some(())?;
-        copy.put_open(id, part, *to).unwrap();
+        copy.put_open(id, Some(part), *to).unwrap();
     }
     Some(copy)
 }
@@ -75,10 +75,10 @@ fn plans_of_openness_come_true() {
         for (open, passes) in [(1.0, false), (1.0, true), (0.6, true), (0.0, true)] {
             let past = if passes { std::slice::from_ref(&person) } else { &[] };
             let before = world.digest();
-            let plan = world.plan_openness(cupboard, open, past).unwrap();
+            let plan = world.parts(cupboard).plan(open, past).unwrap();
             assert_eq!(world.digest(), before);
             let midway = midway(&world, cupboard, open, plan.as_deref());
-            let did = world.set_openness_ignoring(cupboard, open, past).unwrap();
+            let did = world.set_openness(cupboard, open, past).unwrap();
             assert_eq!(did, plan.is_some(), "seed {seed}, {open}");
             let Some(plan) = plan else {
                 none += 1;
@@ -86,7 +86,7 @@ fn plans_of_openness_come_true() {
             };
             if let Some(midway) = midway {
                 assert_eq!(
-                    midway.plan_openness(cupboard, open, past).unwrap().as_ref(),
+                    midway.parts(cupboard).plan(open, past).unwrap().as_ref(),
                     Some(&plan),
                     "seed {seed}, {open}"
                 );
@@ -110,11 +110,11 @@ fn plans_refuse_as_motions_do() {
     let chest = scene.chest_asset();
     let chest = scene.add("kitchen_cabinet", chest, at(0.0, 0.0, 0.0));
     let mut world = scene.world();
-    assert_eq!(world.plan_openness(floor, 1.0, &[]), Ok(Some(vec![])));
-    assert_eq!(world.plan_openness(NodeId(77), 1.0, &[]), Err(PhysicsError::NoBody(NodeId(77))));
-    assert!(matches!(world.plan_openness(chest, f32::NAN, &[]), Err(PhysicsError::NotFinite(..))));
+    assert_eq!(world.parts(floor).plan(1.0, &[]), Ok(Some(vec![])));
+    assert_eq!(world.parts(NodeId(77)).plan(1.0, &[]), Err(PhysicsError::NoBody(NodeId(77))));
+    assert!(matches!(world.parts(chest).plan(f32::NAN, &[]), Err(PhysicsError::NotFinite(..))));
     world.lock(chest, 0, true).unwrap();
-    assert_eq!(world.plan_openness(chest, 1.0, &[]), Err(PhysicsError::Locked(chest)));
+    assert_eq!(world.parts(chest).plan(1.0, &[]), Err(PhysicsError::Locked(chest)));
 }
 
 /// A table with stacks on it, things that fall beside and among them, and a ball that rolls by.
@@ -192,54 +192,15 @@ fn two_people() -> (PhysicsWorld, vc_graph::SceneGraph, [NodeId; 3]) {
     scene.floor(3.0, 0.5);
     let door = scene.door_asset();
     let door = scene.add("door", door, at(0.0, 0.0, 0.0));
-    let (led, other) = (scene.agent(at(0.45, 0.0, 0.0)), scene.agent(at(2.0, 0.0, 0.0)));
+    let (one, other) = (scene.agent(at(0.45, 0.0, 0.0)), scene.agent(at(2.0, 0.0, 0.0)));
     let graph = scene.graph();
-    (PhysicsWorld::build(&graph, &ShapeCache::new(), plain()).unwrap(), graph, [led, other, door])
-}
-
-/// Feet that are led are where they were set, to the bit: doors and walkers meet them, nothing moves them, and they
-/// hang in the air and over nothing. A saved world goes on leading.
-#[test]
-fn feet_that_are_led_stay() {
-    let (mut world, graph, [led, other, door]) = two_people();
-    world.lead(led, true).unwrap();
-    world.follow(other, &[Point2::new(-2.0, 0.0)], false).unwrap();
-    world.drive(door, 0, 1.0).unwrap();
-    let mut rng = Seed(3).stream();
-    for tick in 0..240 {
-        if tick == 100 {
-            world = PhysicsWorld::restore(&world.save().unwrap(), &graph, &ShapeCache::new()).unwrap();
-        }
-        if tick % 20 == 0 {
-            let feet =
-                if tick < 120 { at(0.45, 0.0, 0.0) } else { at(rng.between(-5.0, 5.0), 0.0, tick as f32 / 100.0) };
-            world.teleport(led, feet).unwrap();
-        }
-        let before = world.pose(led);
-        world.step();
-        assert_eq!(world.pose(led), before, "tick {tick}");
-        assert_eq!(world.walk(led), Ok(WalkState::Led));
-        assert!(tick >= 120 || world.openness(door).unwrap() < 0.8, "the door meets the feet");
-    }
-    assert!(world.stopped().is_empty());
-    world.jump(led).unwrap();
-    world.teleport(led, at(1.0, 1.0, 0.5)).unwrap();
-    world.lead(led, false).unwrap();
-    assert_eq!(world.walk(led), Ok(WalkState::Still));
-    world.run(60);
-    assert!(world.pose(led).unwrap().translation.z < 0.02, "let go, they fall");
-    // An order to walk ends the leading.
-    world.lead(led, true).unwrap();
-    world.go(led, Vector2::new(-1.0, 0.0)).unwrap();
-    world.run(30);
-    assert!(world.pose(led).unwrap().translation.x < 0.7);
-    assert_eq!(world.lead(door, true), Err(AgentError::NoSuchAgent(door)));
+    (PhysicsWorld::build(&graph, &ShapeCache::new(), plain()).unwrap(), graph, [one, other, door])
 }
 
 /// Where nothing is awake, time that passes and steps that are run end in the same state, and go on alike.
 #[test]
 fn time_passes_as_it_runs() {
-    let (mut world, _, [led, other, door]) = two_people();
+    let (mut world, _, [one, other, door]) = two_people();
     assert!(!world.pass(1), "they have yet to stand");
     world.run(60);
     for ticks in [1, 7, 8, 100] {
@@ -248,7 +209,7 @@ fn time_passes_as_it_runs() {
         run.run(ticks as u32);
         assert_eq!((passed.digest(), passed.ticks()), (run.digest(), run.ticks()));
         for world in [&mut passed, &mut run] {
-            world.teleport(led, at(-2.0, 2.0, 0.0)).unwrap();
+            world.teleport(one, at(-2.0, 2.0, 0.0)).unwrap();
             world.drive(door, 0, 1.0).unwrap();
             world.run(90);
         }
@@ -257,8 +218,8 @@ fn time_passes_as_it_runs() {
     let before = world.ticks();
     world.follow(other, &[Point2::new(2.0, 2.0)], false).unwrap();
     assert!(!world.pass(60), "somebody walks");
-    world.lead(other, true).unwrap();
-    assert!(world.pass(60), "who is led walks by the leader's clock");
+    world.go(other, Vector2::zeros()).unwrap();
+    assert!(world.pass(60), "they have stopped");
     world.drive(door, 0, 1.0).unwrap();
     assert!(!world.pass(60), "a motor drives");
     assert_eq!(world.ticks(), before + 60);

@@ -8,7 +8,7 @@ use common::{Scene, at, block, part, plain, surface, turned};
 use nalgebra::{Point3, Vector3};
 use vc_graph::asset::{Hold, Shape};
 use vc_graph::{Asset, NodeId, Place, Relation};
-use vc_physics::{BodyRole, PhysicsWorld, Settings, ShapeCache, UnsupportedThings};
+use vc_physics::{BodyRole, PhysicsWorld, Settings, ShapeCache, SpotSearch, UnsupportedThings};
 
 /// A picture without a support hangs, if the graph states the supports of other things.
 #[test]
@@ -72,7 +72,7 @@ fn who_dozes_off() {
     world.run(3);
     world.put_to_sleep();
     world.step();
-    let asleep = [safe, stacked, edge, burden].map(|id| world.is_asleep(id));
+    let asleep = [safe, stacked, edge, burden].map(|id| world.body(id).unwrap().is_asleep());
     assert_eq!(asleep, [true, true, false, false]);
     // Nothing has been stopped: the thing falls in time.
     assert_eq!(world.settle(400).fell, [edge, burden]);
@@ -86,12 +86,12 @@ fn what_is_pinned_stays() {
     let floor = scene.floor(5.0, 0.5);
     let cube = scene.cube(0.05, at(0.0, 0.0, 1.0));
     let mut world = scene.world();
-    world.pin(cube).unwrap();
+    world.pin(cube, None).unwrap();
     world.settle(100);
     assert_eq!((world.role(cube), world.pose(cube).unwrap().translation.z), (Some(BodyRole::Hung), 1.0));
     world.push(cube, Vector3::new(0.01, 0.0, 0.0), Point3::new(0.0, 0.0, 1.0)).unwrap();
     assert_eq!((world.settle(300).fell, world.role(cube)), (vec![cube], Some(BodyRole::Loose)));
-    assert!(world.pin(floor).is_err());
+    assert!(world.pin(floor, None).is_err());
 }
 
 /// Light things on small feet come to rest and stay where they are.
@@ -144,7 +144,7 @@ fn settle_tells_what_happened() {
     assert_eq!(report.outside, [lost]);
     assert!(report.moved.iter().all(|m| m.id != still));
     assert_eq!(world.supports(still), [table]);
-    let contact = world.contacts_of(still)[0];
+    let contact = world.body(still).unwrap().contacts()[0];
     assert_eq!((contact.a, contact.b), (table, still));
     assert!(contact.normal.z > 0.99 && contact.point.z > 0.73 && contact.depth < 0.006, "{contact:?}");
 }
@@ -191,18 +191,19 @@ fn let_down_it_rests() {
     let high = scene.cube(0.05, at(2.0, 0.0, 1.0));
     let mut world = scene.world();
     world.settle(300);
-    let spot = world.free_spot_at(low, table, false, vc_physics::SpotOrder::Middle).unwrap().unwrap();
+    let spot = SpotSearch::new(low, table, false).find(&world).unwrap().unwrap();
     world.place(low, at(0.0, 0.0, 0.01) * spot).unwrap();
     world.place(high, at(2.0, 0.0, 1.0)).unwrap();
     let by = world.lower(low, 0.02).unwrap();
     assert!((by - 0.0105).abs() < 0.0005, "{by}");
     assert_eq!(world.lower(high, 0.02).unwrap(), 0.0);
     assert!(world.lower(NodeId(77), 0.02).is_err());
-    assert!(world.is_at(low, table, false) && !world.is_at(low, table, true) && !world.is_at(high, table, false));
+    let is_at = |id, inside| world.body(id).unwrap().is_at(table, inside);
+    assert!(is_at(low, false) && !is_at(low, true) && !is_at(high, false));
     world.step();
     world.put_to_sleep();
     world.step();
-    assert!(world.is_asleep(low) && !world.is_asleep(high));
+    assert!(world.body(low).unwrap().is_asleep() && !world.body(high).unwrap().is_asleep());
 }
 
 /// A board that leans on a wall sleeps again where it slept before, without another test.
@@ -220,13 +221,13 @@ fn what_leans_sleeps_where_it_slept() {
     world.step();
     world.put_to_sleep();
     world.step();
-    assert!(world.is_asleep(leaning));
+    assert!(world.body(leaning).unwrap().is_asleep());
     // After it has been moved it does not.
     world.place(leaning, at(-0.01, 0.0, 0.0) * rested).unwrap();
     world.step();
     world.put_to_sleep();
     world.step();
-    assert!(!world.is_asleep(leaning));
+    assert!(!world.body(leaning).unwrap().is_asleep());
 }
 
 /// A thing falls if the rack on which it hung is removed.
@@ -273,7 +274,7 @@ fn flat_blocks_do_not_rock() {
         tilts.collect::<Vec<_>>().into_iter().map(|pose| scene.add("sponge", sponge, pose)).collect();
     let mut world = scene.world();
     let report = world.settle(300);
-    let awake: Vec<_> = things.into_iter().filter(|id| !world.is_asleep(*id)).collect();
+    let awake: Vec<_> = things.into_iter().filter(|id| !world.body(*id).unwrap().is_asleep()).collect();
     assert!(report.at_rest, "{awake:?} of 24 are awake");
 }
 
@@ -291,7 +292,7 @@ fn what_is_pinned_does_not_creep() {
     let below: Vec<NodeId> = (0..=255).map(pair).collect();
     let mut world = PhysicsWorld::build(&scene.graph(), &ShapeCache::new(), plain()).unwrap();
     world.run(5);
-    below.iter().for_each(|id| world.pin(*id).unwrap());
+    below.iter().for_each(|id| world.pin(*id, None).unwrap());
     let poses = |world: &PhysicsWorld| below.iter().map(|id| world.pose(*id)).collect::<Vec<_>>();
     let pinned = poses(&world);
     for _ in 0..200 {

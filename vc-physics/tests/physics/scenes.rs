@@ -5,10 +5,12 @@
 use crate::common;
 
 use common::{Scene, at, block, part, plain, surface, turned};
-use nalgebra::{Point3, Vector3};
+use nalgebra::{Point3, UnitQuaternion, Vector3};
 use vc_graph::asset::{Hold, Shape};
 use vc_graph::{Asset, Bounds, Draft, Edge, Relation, SceneBuilder};
-use vc_physics::{BodyRole, FixedThings, PhysicsWorld, Settings, ShapeCache, SpotOrder};
+use vc_physics::{
+    BodyRole, FixedThings, PhysicsWorld, Settings, ShapeCache, SpotFault, SpotOrder, SpotSearch, SpotWish,
+};
 
 #[test]
 fn roles_by_class() {
@@ -39,11 +41,11 @@ fn class_masses() {
     let heavy = scene.add("cup", cup, at(0.0, 0.0, 1.0));
     let graph = scene.graph();
     let modelled = PhysicsWorld::build(&graph, &ShapeCache::new(), plain()).unwrap();
-    assert!((modelled.mass(heavy).unwrap() - 0.3072).abs() < 1e-3);
+    assert!((modelled.body(heavy).unwrap().mass() - 0.3072).abs() < 1e-3);
     // No cup weighs more than 0.3 kg.
     let real = PhysicsWorld::build(&graph, &ShapeCache::new(), Settings::default()).unwrap();
-    assert!((real.mass(heavy).unwrap() - 0.3).abs() < 1e-4);
-    assert_eq!(real.modelled_mass(heavy), modelled.mass(heavy));
+    assert!((real.body(heavy).unwrap().mass() - 0.3).abs() < 1e-4);
+    assert_eq!(real.body(heavy).unwrap().modelled_mass(), modelled.body(heavy).unwrap().mass());
 }
 
 /// A cup of twice the size may weigh eight times as much.
@@ -55,7 +57,11 @@ fn class_masses_grow_with_the_scale() {
         Draft { asset: Some(cup), scale: Some(Vector3::repeat(2.0)), ..Draft::new("cup").at(at(0.0, 0.0, 1.0)) };
     let large = scene.builder.add(draft).unwrap();
     let world = scene.world_with(Settings::default());
-    assert!((world.mass(large).unwrap() - 600.0 * 0.12_f32.powi(3)).abs() < 1e-3, "{:?}", world.mass(large));
+    assert!(
+        (world.body(large).unwrap().mass() - 600.0 * 0.12_f32.powi(3)).abs() < 1e-3,
+        "{}",
+        world.body(large).unwrap().mass()
+    );
 }
 
 #[test]
@@ -66,58 +72,30 @@ fn free_spots() {
     let cubes: Vec<_> = (0..60).map(|i| scene.cube(0.05, at(-3.0 + 0.2 * i as f32, -3.0, 0.05))).collect();
     let large = scene.cube(0.5, at(4.0, 4.0, 0.5));
     let mut world = scene.world();
+    let rotation = Some(UnitQuaternion::from_axis_angle(&Vector3::z_axis(), 0.3));
+    let turned = SpotWish { rotation, surface: Some(0), ..SpotWish::default() };
     let mut placed = 0;
     for (i, &cube) in cubes.iter().enumerate() {
         let order =
             [SpotOrder::Middle, SpotOrder::Near(Point3::new(0.6, 0.3, 0.8)), SpotOrder::Random(vc_graph::Seed(7))]
                 [i % 3];
-        let Some(spot) = world.free_spot(cube, table, 0, 0.3, order).unwrap() else { break };
+        let search = SpotSearch::new(cube, table, false).order(order);
+        let Ok(spot) = search.wished(&world, &turned, |_| true).unwrap() else { break };
         assert!(world.overlaps(cube, &spot).unwrap().is_empty());
         world.place(cube, spot).unwrap();
         placed += 1;
     }
     // The table has room for at most 0.8 * 1.4 / 0.1^2 cubes.
     assert!(placed > 30, "{placed}");
-    assert_eq!(world.free_spot(large, table, 0, 0.0, SpotOrder::Middle).unwrap(), None);
+    assert_eq!(SpotSearch::new(large, table, false).find(&world).unwrap(), None);
     let report = world.settle(200);
     assert!(report.at_rest && report.fell.is_empty() && report.overlapping.is_empty(), "{report:?}");
     for cube in &cubes[..placed] {
         assert_eq!(world.supports(*cube)[0], table);
     }
-    assert!(world.free_spot(cubes[0], table, 3, 0.0, SpotOrder::Middle).is_err());
-    assert!(world.is_free(Vector3::repeat(0.2), &at(0.0, -1.0, 1.0)));
-    assert!(!world.is_free(Vector3::repeat(0.2), &at(1.0, 1.0, 0.7)));
-}
-
-/// A free spot for a thing that is not in the world yet is one at which it then stands.
-#[test]
-fn free_spots_for_a_footprint() {
-    let mut scene = Scene::default();
-    scene.floor(5.0, 0.5);
-    let table = scene.table(at(1.0, 1.0, 0.0));
-    let taken = scene.cube(0.3, at(1.0, 0.6, 1.041));
-    let cube = scene.solid("cube", block([0.1; 3]), scene.wood);
-    let mut graph = scene.graph();
-    let shapes = ShapeCache::new();
-    let mut world = PhysicsWorld::build(&graph, &shapes, plain()).unwrap();
-    let near = SpotOrder::Near(Point3::new(1.0, 0.6, 0.8));
-    let spot = world.free_spot_for(Vector3::repeat(0.1), table, 0, 0.4, near).unwrap().unwrap();
-    assert!((spot.translation.z - 0.841).abs() < 1e-4, "the middle of the box: {spot}");
-    let mut edit = graph.edit();
-    let new = edit.add(Draft { asset: Some(cube), ..Draft::new("toy").at(spot) }).unwrap();
-    edit.commit();
-    world.insert(&graph, new, &shapes).unwrap();
-    assert!(world.overlaps(new, &spot).unwrap().is_empty());
-    let report = world.settle(200);
-    assert!(report.at_rest && report.fell.is_empty(), "{report:?}");
-    assert_eq!((world.supports(new), world.supports(taken)), (vec![table], vec![table]));
-    let too_large = world.free_spot_for(Vector3::new(0.5, 0.5, 0.1), table, 0, 0.0, SpotOrder::Middle);
-    assert_eq!(too_large.unwrap(), None);
-    for half in [Vector3::zeros(), Vector3::new(0.1, f32::NAN, 0.1), Vector3::new(-0.1, 0.1, 0.1)] {
-        assert!(world.free_spot_for(half, table, 0, 0.0, SpotOrder::Middle).is_err());
-    }
-    assert!(world.free_spot_for(Vector3::repeat(0.1), table, 0, f32::INFINITY, SpotOrder::Middle).is_err());
-    assert!(world.free_spot_for(Vector3::repeat(0.1), table, 9, 0.0, SpotOrder::Middle).is_err());
+    let no_such = SpotWish { surface: Some(3), ..SpotWish::default() };
+    let none = SpotSearch::new(cubes[0], table, false).wished(&world, &no_such, |_| true);
+    assert_eq!(none.unwrap(), Err(SpotFault::OffSurface));
 }
 
 /// A wall keeps its window open, however many parts it has.
@@ -197,10 +175,10 @@ fn free_spots_in_containers_keep_below_their_roof() {
     let tall = scene.solid("tall", block([0.05, 0.05, 0.2]), w);
     let tall = scene.add("toy", tall, at(3.0, 1.0, 0.2));
     let mut world = scene.world();
-    let spot = world.free_spot_at(low, shelf, true, SpotOrder::Middle).unwrap().unwrap();
+    let spot = SpotSearch::new(low, shelf, true).find(&world).unwrap().unwrap();
     world.place(low, spot).unwrap();
-    assert_eq!(world.free_spot_at(tall, shelf, true, SpotOrder::Middle).unwrap(), None, "it is too tall");
-    let on_top = world.free_spot_at(tall, shelf, false, SpotOrder::Middle).unwrap().unwrap();
+    assert_eq!(SpotSearch::new(tall, shelf, true).find(&world).unwrap(), None, "it is too tall");
+    let on_top = SpotSearch::new(tall, shelf, false).find(&world).unwrap().unwrap();
     world.place(tall, on_top).unwrap();
     assert!(world.settle(200).fell.is_empty());
     assert!((world.pose(low).unwrap().translation.z - 0.12).abs() < 0.005);
@@ -249,7 +227,7 @@ fn scales() {
         let draft = Draft { asset: Some(asset), scale: Some(scale.into()), ..Draft::new("toy").at(at(0.0, 0.0, 1.0)) };
         let id = scene.builder.add(draft).unwrap();
         let world = scene.world();
-        assert!((world.mass(id).unwrap() / (4.8 * factor) - 1.0).abs() < 1e-3);
+        assert!((world.body(id).unwrap().mass() / (4.8 * factor) - 1.0).abs() < 1e-3);
         let aabb = world.aabb(id).unwrap();
         assert!((aabb.max - aabb.min - Vector3::from(scale) * 0.2).norm() < 1e-4, "{aabb:?}");
     }

@@ -9,6 +9,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use nalgebra::{UnitQuaternion, Vector3};
 use proptest::prelude::*;
 use vc_graph::{Bounds, Draft, Edge, NodeId, Pose, SceneBuilder, SceneGraph, Seed};
+use vc_relations::threshold::WORLD_REACH;
 use vc_relations::{Evidence, RelationRule, Relations};
 
 fn by_node(edges: &[Edge]) -> BTreeMap<NodeId, Vec<Edge>> {
@@ -124,4 +125,22 @@ fn nodes_come_and_go() {
         relations.edges(),
         Relations::new(&home.graph, RelationRule::Contacts, Evidence::default()).unwrap().edges()
     );
+}
+
+/// An update that needs a rebuild, which is refused for another node, leaves everything as it was.
+#[test]
+fn a_refused_update_changes_nothing() {
+    let (mut home, _) = shared::home::home(50);
+    let mut relations = Relations::new(&home.graph, RelationRule::Contacts, Evidence::default()).unwrap();
+    let (before, apple, bowl) = (relations.edges(), home.id("apple0"), home.id("bowl0"));
+    let mut edit = home.graph.edit();
+    edit.set_pose(apple, Some(Pose::translation(0.0, 0.0, 5.0))).unwrap();
+    edit.set_pose(bowl, Some(Pose::translation(2.0 * WORLD_REACH, 0.0, 0.0))).unwrap();
+    let fresh = edit.add(Draft::new("apple").at(Pose::identity())).unwrap();
+    edit.commit();
+    assert!(relations.update(&home.graph, &[apple, fresh]).is_err());
+    assert!(differences(&relations.edges(), &before).is_empty());
+    let held = Evidence { held: vec![Edge::new(apple, vc_graph::Relation::On, bowl)], ..Evidence::default() };
+    assert!(relations.update_with(&home.graph, &[apple, fresh], held).is_err());
+    assert_eq!((relations.evidence(), relations.edges()), (&Evidence::default(), before));
 }
