@@ -74,6 +74,8 @@
 //! and sliced things look so, and vessels show what is in them, but neither how full they are nor the shape of a cut is
 //! visible. Worn clothes have no body.
 
+#![warn(clippy::disallowed_methods)]
+
 #[cfg(feature = "environment")]
 mod batch;
 #[cfg(feature = "procgen")]

@@ -1,5 +1,6 @@
 //! Goal recognition: the goal of an agent, inferred from its actions.
 
+use vc_graph::portable::Portable;
 use vc_graph::{Event, Goal, SceneGraph, Verb};
 
 use crate::{Planner, SearchLimits};
@@ -60,7 +61,7 @@ impl GoalRecognizer {
     /// the order given.
     pub fn likely(&self) -> Vec<(&Goal, f64)> {
         let most = self.weights.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-        let raw: Vec<f64> = self.weights.iter().map(|w| (w - most).exp()).collect();
+        let raw: Vec<f64> = self.weights.iter().map(|w| (w - most).exponential()).collect();
         let sum: f64 = raw.iter().sum();
         let mut all: Vec<(&Goal, f64)> = self.goals.iter().zip(raw.iter().map(|w| w / sum)).collect();
         all.sort_by(|a, b| b.1.total_cmp(&a.1));

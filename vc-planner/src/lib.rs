@@ -1,4 +1,5 @@
 #![doc = include_str!("../FRONT.md")]
+#![warn(clippy::disallowed_methods)]
 
 mod agenda;
 mod agent;

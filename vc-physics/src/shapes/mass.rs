@@ -12,6 +12,7 @@ use rapier3d::dynamics::MassProperties;
 use rapier3d::math::{Matrix, Vector};
 use vc_graph::Pose;
 use vc_graph::asset::Shape;
+use vc_graph::portable::Portable;
 
 use super::hull;
 use super::piece::{Piece, pieces};
@@ -95,7 +96,7 @@ impl Moments {
     fn capsule(radius: f32, half_height: f32) -> Self {
         let (r, h) = (f64::from(radius), f64::from(half_height));
         // The two halves of the ball, moved apart.
-        let ball = 4.0 / 3.0 * PI * r.powi(3);
+        let ball = 4.0 / 3.0 * PI * r.raised(3);
         let (across, along) = (ball * r * r / 5.0, ball * (r * r / 5.0 + 0.75 * r * h + h * h));
         let ends = Matrix3::from_diagonal(&Vector3::new(across, across, along));
         let mut sum = Self { mass: ball, first: Vector3::zeros(), second: ends };

@@ -4,6 +4,7 @@
 
 #![allow(clippy::unwrap_used, reason = "tests may unwrap")]
 
+use vc_graph::portable::Portable;
 use vc_graph::{Draft, NodeId, Place, Relation, SceneBuilder, SceneGraph, Scope, Seed, Simulator};
 
 use super::{Belief, places};
@@ -155,7 +156,7 @@ fn compare(belief: &Belief, homes: &[Possible], judge: &Judge, home: &Home, plac
     for (hypothesis, (_, supposed)) in HYPOTHESES.into_iter().enumerate() {
         let each: Vec<f64> = homes.iter().map(|at| judge.weight(hypothesis, at)).collect();
         let sum: f64 = each.iter().sum();
-        let posterior = supposed * (judge.by[hypothesis] * sum).powf(CAUTION);
+        let posterior = supposed * (judge.by[hypothesis] * sum).power(CAUTION);
         weights.iter_mut().zip(each).for_each(|(weight, each)| *weight += posterior * each / sum);
     }
     let all: f64 = weights.iter().sum();

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::sync::{Arc, LazyLock};
 
+use vc_graph::portable::Portable;
 use vc_graph::{Class, ClassTable, Relation};
 
 /// On or in things of a class; `None` means on the floor.
@@ -54,7 +55,7 @@ impl RelatedClasses {
         };
         let (mut part, mut all) = (0.0, 0.0);
         for (group, far) in groups(classes, thing) {
-            let weight = WIDER.powi(far);
+            let weight = WIDER.raised(far);
             let parts = self.0.get(&group);
             part += weight * parts.map_or(0.0, |parts| around.iter().filter_map(|at| parts.get(at)).sum());
             all += weight;

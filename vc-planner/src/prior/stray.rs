@@ -1,5 +1,6 @@
 //! Probability of a kind of place for a thing that is not at a habitual place.
 
+use vc_graph::portable::Portable;
 use vc_graph::{NodeId, Relation, SceneGraph};
 
 use super::RelatedClasses;
@@ -28,7 +29,7 @@ pub(crate) fn stray(graph: &SceneGraph, related: &RelatedClasses, id: NodeId, ki
     let at = (!kind.floor).then(|| classes.get(&kind.at)).flatten();
     let kept = thing.map_or(0.0, |thing| related.part(classes, thing, kind.relation, at));
     let fits = fits(size(graph, id), kind);
-    (ANY + kept) * volume(kind).powf(GROWTH) * if fits { 1.0 } else { MISFIT } * if home { 1.0 } else { FOREIGN }
+    (ANY + kept) * volume(kind).power(GROWTH) * if fits { 1.0 } else { MISFIT } * if home { 1.0 } else { FOREIGN }
 }
 
 /// The size of a thing, its own or the typical size of its class: depth, width, height, metres.

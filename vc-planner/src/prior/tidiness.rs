@@ -1,6 +1,7 @@
 //! How tidy a home is: supposed at first, and learned from where things are found.
 
 use vc_graph::NodeId;
+use vc_graph::portable::Portable;
 
 use super::{HABIT, Likely, STRAY, Weights};
 
@@ -74,7 +75,7 @@ impl Tidiness {
     /// Takes note that a thing was found where habit and chance put it so often.
     pub(crate) fn found(&mut self, likely: [f64; 2], even: f64) {
         for (weight, (parts, _)) in self.found.iter_mut().zip(HYPOTHESES) {
-            *weight += (chance(parts, likely, even) / even).ln();
+            *weight += (chance(parts, likely, even) / even).logarithm();
         }
     }
 
@@ -83,12 +84,12 @@ impl Tidiness {
         let mut logs = self.found;
         for class in classes.filter(|c| c.likely.is_some() && c.missing > 0) {
             for (log, (parts, _)) in logs.iter_mut().zip(HYPOTHESES) {
-                *log += class.missing as f64 * chance(parts, class.left, unseen).max(LEAST).ln();
+                *log += class.missing as f64 * chance(parts, class.left, unseen).max(LEAST).logarithm();
             }
         }
         let most = logs.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         let raw: [f64; HYPOTHESES.len()] =
-            std::array::from_fn(|i| HYPOTHESES[i].1 * (CAUTION * (logs[i] - most)).exp());
+            std::array::from_fn(|i| HYPOTHESES[i].1 * (CAUTION * (logs[i] - most)).exponential());
         let sum: f64 = raw.iter().sum();
         self.chances = raw.map(|w| w / sum);
     }
