@@ -23,6 +23,7 @@ mod plan;
 mod planner;
 mod policy;
 mod prior;
+mod reason;
 mod record;
 mod regression;
 mod rounds;
