@@ -128,11 +128,10 @@ impl PlannerPolicy {
     ///
     /// ```
     /// use vc_planner::{Policy, PlannerPolicy};
-    /// let policy = PlannerPolicy::in_unknown_home().named("unknown home");
-    /// assert_eq!(policy.name(), "unknown home");
+    /// assert_eq!(PlannerPolicy::in_unknown_home().name(), "unknown home");
     /// ```
     pub fn in_unknown_home() -> Self {
-        Self { name: "stranger", knows_home: false, ..Self::best() }
+        Self { name: "unknown home", knows_home: false, ..Self::best() }
     }
 
     /// The thesis's planner: a uniform sample, one subgoal after the other.

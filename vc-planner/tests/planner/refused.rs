@@ -207,7 +207,7 @@ fn what_was_refused_is_not_tried_again_while_nothing_changes() {
                     let told = format!("{} {seed} {goal} {percent}%: {episode:?}", policy.name());
                     assert!(episode.outcome != Outcome::TimedOut, "{told}");
                     // An agent in an unknown home takes unknown things as absent.
-                    let told_why = episode.reason.is_some() || policy.name() == "stranger";
+                    let told_why = episode.reason.is_some() || policy.name() == "unknown home";
                     assert!(episode.outcome == Outcome::Won || told_why, "{told}");
                     all += 1;
                     won += usize::from(episode.outcome == Outcome::Won);
