@@ -2,6 +2,8 @@
 
 use vc_graph::{Label, NodeId};
 
+use crate::scene::MOST_SURFACES;
+
 /// The reason why nothing was rendered. It names nodes by their numbers; [`named`](Self::named) puts labels in their
 /// place.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -89,6 +91,12 @@ pub enum RenderError<N = NodeId> {
         /// Number of classes in the scene's table.
         classes: usize,
     },
+    /// The renderer has met more different surfaces than it can number.
+    #[error(
+        "the materials make more than {} different surfaces: use fewer, or a new renderer for other scenes",
+        MOST_SURFACES
+    )]
+    TooManySurfaces,
     /// The length of an array does not match its shape.
     #[error("{numbers} numbers do not make an array of shape {shape:?}")]
     BadShape {
@@ -131,6 +139,7 @@ impl<N> RenderError<N> {
             E::NoCamera(number) => E::NoCamera(number),
             E::FrameCount { shots, frames } => E::FrameCount { shots, frames },
             E::TooManyClasses { classes } => E::TooManyClasses { classes },
+            E::TooManySurfaces => E::TooManySurfaces,
             E::BadShape { numbers, shape } => E::BadShape { numbers, shape },
             E::Encoding(why) => E::Encoding(why),
         }

@@ -198,17 +198,17 @@ impl Piece {
 /// The links of a node, including the liquid that it can hold and its untied form.
 fn links(store: &mut Store, graph: &SceneGraph, node: &Node) -> Result<Vec<Piece>, RenderError> {
     let solid = |links: Vec<Arc<Link>>| links.into_iter().map(Piece::new).collect::<Vec<Piece>>();
-    let Some(id) = node.spec().asset else { return Ok(solid(store.stand_in(node.spec()).unwrap_or_default())) };
+    let Some(id) = node.spec().asset else { return Ok(solid(store.stand_in(node.spec())?)) };
     let missing = RenderError::NoSuchAsset { node: node.id(), asset: id.0 };
     let asset = graph.assets().get(id).ok_or(missing)?;
     let cover = graph.covers_windows(node.id());
-    let mut all = solid(store.links(graph.assets(), asset, cover));
+    let mut all = solid(store.links(graph.assets(), asset, cover)?);
     if node.affords(Property::Recipient) {
         let poured = |bottom| Poured { there: node.contents().is_some(), bottom };
-        let liquid = store.liquid(graph.assets(), asset);
+        let liquid = store.liquid(graph.assets(), asset)?;
         all.extend(liquid.map(|(link, bottom)| Piece { liquid: Some(poured(bottom)), ..Piece::new(link) }));
     }
-    let untied = if cover { store.untied(graph.assets(), asset) } else { None };
+    let untied = if cover { store.untied(graph.assets(), asset)? } else { None };
     if let Some((link, [band, cloth])) = untied {
         all.iter_mut().for_each(|piece| piece.tied = Some(Tied { drawn: false, hidden: cloth }));
         all.push(Piece { tied: Some(Tied { drawn: true, hidden: band }), ..Piece::new(link) });
