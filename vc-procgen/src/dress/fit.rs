@@ -106,13 +106,15 @@ fn side_by_side(
     seed: Seed,
 ) -> Asset {
     const LEAST: f32 = 0.2;
+    /// The greatest number of units between two appliances: no row of a home is longer.
+    const UNITS: f32 = 64.0;
     let mut units = Vec::new();
     let (mut from, end) = (-size.y / 2.0, size.y / 2.0);
     let gaps = taken.iter().copied().chain([(end, end)]);
     for (low, high) in gaps {
         let (low, wide) = (low.min(end), low.min(end) - from);
         if wide > LEAST {
-            let count = (wide / most).ceil().max(1.0);
+            let count = (wide / most).ceil().clamp(1.0, UNITS);
             for i in 0..count as usize {
                 let unit = Vector3::new(size.x, wide / count, size.z);
                 let made = fitted(generator, unit, &[], style, seed);
