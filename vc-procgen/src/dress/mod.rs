@@ -262,7 +262,7 @@ impl<'g> Wardrobe<'g> {
             Some(known) => *known,
             None => {
                 let loads = self.loads.get(&key).map_or(&[][..], Vec::as_slice);
-                let made = fit::made(self.generators, &place, loads, &self.style, self.seed.child(&key.name));
+                let made = fit::made(house, &place, loads, &self.style, self.seed.child(&key.name));
                 let shift = bounds.offset.component_div(&made.scale);
                 let asset = self.add(compose::moved(made.asset, shift))?;
                 self.made.insert(key, (asset, made.scale));
@@ -283,7 +283,11 @@ impl<'g> Wardrobe<'g> {
     ) -> Result<AssetId, AssetError> {
         let made = self.library.get(asset).and_then(|made| swing::within_walls(made, pose, scale, &house.walls));
         let Some(made) = made else { return Ok(asset) };
-        let limits = made.parts.iter().filter_map(|p| p.joint).map(|j| [ten_thousandths(j.limits.0), ten_thousandths(j.limits.1)]);
+        let limits = made
+            .parts
+            .iter()
+            .filter_map(|p| p.joint)
+            .map(|j| [ten_thousandths(j.limits.0), ten_thousandths(j.limits.1)]);
         let key = (asset, limits.collect());
         if let Some(known) = self.stopped.get(&key) {
             return Ok(*known);
