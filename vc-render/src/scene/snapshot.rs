@@ -67,50 +67,12 @@ impl Snapshot {
         graph: &SceneGraph,
         joint: &mut dyn FnMut(NodeId, &Joint) -> Option<f32>,
     ) -> Result<Self, RenderError> {
-        let rooms: HashMap<NodeId, u16> = graph.rooms().iter().copied().zip(0..NO_ROOM).collect();
+        let rooms = graph.rooms().iter().copied().zip(0..NO_ROOM).collect();
+        let (bodies, instances) = (Vec::new(), Vec::new());
         let classes = Classes::new(graph)?;
-        let (mut bodies, mut instances) = (Vec::new(), Vec::new());
-        let mut around = Around::default();
-        for node in graph.nodes().filter(|n| n.kind() != NodeKind::Room) {
-            let Some(pose) = node.pose() else { continue };
-            let links = links(store, graph, node)?;
-            let first = instances.len() as u32;
-            let room = graph.room_of(node.id()).and_then(|r| rooms.get(&r).copied()).unwrap_or(NO_ROOM);
-            let scale = if node.spec().asset.is_some() { node.spec().scale } else { nalgebra::Vector3::repeat(1.0) };
-            if !Affine::placed(pose, &scale).is_finite() {
-                return Err(RenderError::BadPose(node.id()));
-            }
-            for piece in links {
-                instances.extend(instance(piece, bodies.len() as u32, node, (pose, &scale), joint));
-            }
-            let mut body = Body {
-                node: node.id(),
-                class: classes.number(node.class()),
-                room,
-                role: node.role(),
-                stands: Stands::from_role(node.role()),
-                gives: gives(graph, node),
-                lit: graph.is_lit(node.id()),
-                pose: *pose,
-                scale,
-                instances: first..instances.len() as u32,
-                bounds: Default::default(),
-            };
-            body.bounds = body.measured(&instances[first as usize..]);
-            if graph.covers_windows(node.id()) {
-                around.covers.push((bodies.len(), node.is(State::Closed)));
-            } else if matches!(node.role(), ObjectRole::Door | ObjectRole::Window) {
-                around.openings.push(bodies.len());
-            } else if node.kind() == NodeKind::Object && !node.affords(Property::Graspable) {
-                around.standing.push(bodies.len());
-            }
-            bodies.push(body);
-        }
-        hang((&mut bodies, &mut instances), &around);
-        let by_node = bodies.iter().zip(0..).map(|(b, i)| (b.node, i)).collect();
-        let (classes, rooms) = (Arc::new(classes), Arc::new(graph.rooms().to_vec()));
-        let bounds = Arc::new(rooms.iter().map(|room| graph.node(*room)?.aabb()).collect());
-        Ok(Self { bodies, instances, classes, rooms, bounds, by_node: Arc::new(by_node), store: store.name.clone() })
+        let mut taken = Taken { store, graph, joint, classes, rooms, bodies, instances, around: Around::default() };
+        graph.nodes().filter(|n| n.kind() != NodeKind::Room).try_for_each(|node| taken.add(node))?;
+        Ok(taken.snapshot())
     }
 
     /// Whether its meshes are in a store.
@@ -171,6 +133,74 @@ impl Snapshot {
     /// The body of a node, if it has one.
     pub(crate) fn body_of(&self, node: NodeId) -> Option<&Body> {
         self.body(node).ok().map(|i| &self.bodies[i])
+    }
+}
+
+/// A snapshot in the making: the bodies taken so far.
+struct Taken<'a> {
+    store: &'a mut Store,
+    graph: &'a SceneGraph,
+    joint: &'a mut dyn FnMut(NodeId, &Joint) -> Option<f32>,
+    classes: Classes,
+    rooms: HashMap<NodeId, u16>,
+    bodies: Vec<Body>,
+    instances: Vec<Instance>,
+    around: Around,
+}
+
+impl Taken<'_> {
+    /// Adds the body of a node, if it has a pose.
+    fn add(&mut self, node: &Node) -> Result<(), RenderError> {
+        let Some(pose) = node.pose() else { return Ok(()) };
+        let links = links(self.store, self.graph, node)?;
+        let (first, number) = (self.instances.len() as u32, self.bodies.len() as u32);
+        let room = self.graph.room_of(node.id()).and_then(|r| self.rooms.get(&r).copied()).unwrap_or(NO_ROOM);
+        let scale = if node.spec().asset.is_some() { node.spec().scale } else { nalgebra::Vector3::repeat(1.0) };
+        if !Affine::placed(pose, &scale).is_finite() {
+            return Err(RenderError::BadPose(node.id()));
+        }
+        for piece in links {
+            self.instances.extend(instance(piece, number, node, (pose, &scale), self.joint));
+        }
+        let mut body = Body {
+            node: node.id(),
+            class: self.classes.number(node.class()),
+            room,
+            role: node.role(),
+            stands: Stands::from_role(node.role()),
+            gives: gives(self.graph, node),
+            lit: self.graph.is_lit(node.id()),
+            pose: *pose,
+            scale,
+            instances: first..self.instances.len() as u32,
+            bounds: Default::default(),
+        };
+        body.bounds = body.measured(&self.instances[first as usize..]);
+        self.note(node);
+        self.bodies.push(body);
+        Ok(())
+    }
+
+    /// Notes whether the next body is a window cover, an opening, or a thing that may stand before one.
+    fn note(&mut self, node: &Node) {
+        let (number, around) = (self.bodies.len(), &mut self.around);
+        if self.graph.covers_windows(node.id()) {
+            around.covers.push((number, node.is(State::Closed)));
+        } else if matches!(node.role(), ObjectRole::Door | ObjectRole::Window) {
+            around.openings.push(number);
+        } else if node.kind() == NodeKind::Object && !node.affords(Property::Graspable) {
+            around.standing.push(number);
+        }
+    }
+
+    /// Hangs the window covers; the whole.
+    fn snapshot(self) -> Snapshot {
+        let Self { store, graph, classes, mut bodies, mut instances, around, .. } = self;
+        hang((&mut bodies, &mut instances), &around);
+        let by_node = bodies.iter().zip(0..).map(|(b, i)| (b.node, i)).collect();
+        let (classes, rooms) = (Arc::new(classes), Arc::new(graph.rooms().to_vec()));
+        let bounds = Arc::new(rooms.iter().map(|room| graph.node(*room)?.aabb()).collect());
+        Snapshot { bodies, instances, classes, rooms, bounds, by_node: Arc::new(by_node), store: store.name.clone() }
     }
 }
 
