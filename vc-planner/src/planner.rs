@@ -190,7 +190,7 @@ impl Planner {
         if !rest && way.holds(goal) {
             way.keep_in_hand(goal);
             // A seat may be at hand without a walk, which is not packed.
-            let plan = Plan { actions: way.actions(), stretches: Vec::new(), proved: proved && !posture };
+            let plan = Plan { actions: way.actions(), conditions: Vec::new(), proved: proved && !posture };
             let amiss = way.amiss().len();
             way.rewind(0);
             return Ok((plan, Left { rest, posture, amiss }));

@@ -235,7 +235,7 @@ impl<'g> Wardrobe<'g> {
             return Need::Built(built);
         }
         let place = turn::placed(house, node.id(), pose, &bounds);
-        let loads = load::of(house, node.id(), &(place.pose * Translation3::from(place.bounds.offset)));
+        let loads = load::resting_on(house, node.id(), &(place.pose * Translation3::from(place.bounds.offset)));
         let key = Key::new(node, &place);
         Need::Thing(place, key, loads)
     }
