@@ -1,5 +1,6 @@
 //! Living rooms: seats facing the television, a dining area, shelves.
 
+use nalgebra::Vector3;
 use vc_shapes::object::Object;
 
 use super::Furnisher;
@@ -269,43 +270,11 @@ fn at_wall(s: &mut Furnisher<'_>, chair: &Draft) {
     }
 }
 
+/// Places a table with chairs along both long sides, and with space to walk behind them.
 fn dining_at(s: &mut Furnisher<'_>, table: &Draft, chair: &Draft, seats: usize) -> bool {
     let size = table.size();
-    let sit = chair.size().x + 0.1;
-    // Chairs stand along both long sides, with space to walk behind them.
-    let need = sit + 0.25;
-    let mut best: Option<(f32, (f32, f32), Facing)> = None;
-    let hull = s.space.net.iter().map(Area::from_rect).reduce(|a, b| Area {
-        x0: a.x0.min(b.x0),
-        y0: a.y0.min(b.y0),
-        x1: a.x1.max(b.x1),
-        y1: a.y1.max(b.y1),
-    });
-    let Some(hull) = hull else { return false };
-    for _ in 0..60 {
-        let centre = (s.rng.between(hull.x0, hull.x1), s.rng.between(hull.y0, hull.y1));
-        let facing = Facing(s.rng.below(2) as u8);
-        let mut area = Furnisher::around(centre, size, facing);
-        if !s.space.is_floor(&area) {
-            continue;
-        }
-        area = snapped(s, area, facing, need);
-        let zone = facing.turned(2).before(&facing.before(&area, need), 0.0);
-        let front = facing.before(&area, need);
-        let back = facing.turned(2).before(&area, need);
-        let solid = Solid { area, low: 0.0, high: size.z };
-        let fits = s.space.is_free(&solid) && s.space.is_clear(&front) && s.space.is_clear(&back) && zone.x1 >= zone.x0;
-        let kept = s.space.zones.iter().any(|z| z.overlaps(&front) || z.overlaps(&back));
-        let ways = s.space.ways.iter().any(|z| z.overlaps(&front) || z.overlaps(&back));
-        if !fits || kept || ways {
-            continue;
-        }
-        let value = s.space.door_distance(&area).min(1.5);
-        if best.as_ref().is_none_or(|(b, ..)| value > *b) && s.space.stays_open(&solid) {
-            best = Some((value, area.centre(), facing));
-        }
-    }
-    let Some((_, centre, facing)) = best else { return false };
+    let need = chair.size().x + 0.1 + 0.25;
+    let Some((centre, facing)) = table_place(s, size, need) else { return false };
     let index = s.add(table, centre, 0.0, facing, Support::Floor);
     let area = s.item(index).area();
     let per_side = seats / 2;
@@ -320,8 +289,45 @@ fn dining_at(s: &mut Furnisher<'_>, table: &Draft, chair: &Draft, seats: usize) 
     true
 }
 
+/// The centre and facing of a table with free floor of a depth before both long sides, the farthest from doors of
+/// those drawn.
+fn table_place(s: &mut Furnisher<'_>, size: Vector3<f32>, need: f32) -> Option<((f32, f32), Facing)> {
+    let mut best: Option<(f32, (f32, f32), Facing)> = None;
+    let hull = s.space.net.iter().map(Area::from_rect).reduce(|a, b| Area {
+        x0: a.x0.min(b.x0),
+        y0: a.y0.min(b.y0),
+        x1: a.x1.max(b.x1),
+        y1: a.y1.max(b.y1),
+    })?;
+    for _ in 0..60 {
+        let centre = (s.rng.between(hull.x0, hull.x1), s.rng.between(hull.y0, hull.y1));
+        let facing = Facing(s.rng.below(2) as u8);
+        let area = Furnisher::around(centre, size, facing);
+        if !s.space.is_floor(&area) {
+            continue;
+        }
+        let area = snapped(s, area, facing);
+        let solid = Solid { area, low: 0.0, high: size.z };
+        if !has_free_sides(s, &solid, facing, need) {
+            continue;
+        }
+        let value = s.space.door_distance(&area).min(1.5);
+        if best.as_ref().is_none_or(|(b, ..)| value > *b) && s.space.stays_open(&solid) {
+            best = Some((value, area.centre(), facing));
+        }
+    }
+    best.map(|(_, centre, facing)| (centre, facing))
+}
+
+/// Whether a table and the floor before its long sides are free, and no door or passage needs that floor.
+fn has_free_sides(s: &Furnisher<'_>, table: &Solid, facing: Facing, need: f32) -> bool {
+    let sides = [facing, facing.turned(2)].map(|side| side.before(&table.area, need));
+    let needed = |area: &Area| s.space.zones.iter().chain(&s.space.ways).any(|zone| zone.overlaps(area));
+    s.space.is_free(table) && sides.iter().all(|side| s.space.is_clear(side) && !needed(side))
+}
+
 /// Moves a table against a wall at one of its ends if it is close to it.
-fn snapped(s: &Furnisher<'_>, area: Area, facing: Facing, _need: f32) -> Area {
+fn snapped(s: &Furnisher<'_>, area: Area, facing: Facing) -> Area {
     for end in [facing.turned(1), facing.turned(3)] {
         let probe = end.before(&area, 0.6);
         if !s.space.is_floor(&probe) {
