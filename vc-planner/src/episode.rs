@@ -50,7 +50,7 @@ pub struct Step {
 ///
 /// ```
 /// use vc_graph::{Draft, SceneBuilder, Simulator};
-/// use vc_planner::{OraclePolicy, run_episode};
+/// use vc_planner::{PlannerPolicy, run_episode};
 /// use vc_tasks::{Outcome, Task};
 /// let mut scene = SceneBuilder::new("flat");
 /// let kitchen = scene.add(Draft::new("kitchen"))?;
@@ -59,7 +59,7 @@ pub struct Step {
 /// let me = scene.add_in(kitchen, Draft::new("character"))?;
 /// let mut world = Simulator::new(scene.build());
 /// let task = Task::new("fetch", "Holds(apple)".parse()?);
-/// let episode = run_episode(&mut OraclePolicy::default(), &task, &mut world);
+/// let episode = run_episode(&mut PlannerPolicy::oracle(), &task, &mut world);
 /// assert_eq!((episode.outcome, episode.steps), (Outcome::Won, 2));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -112,7 +112,7 @@ impl From<&Episode> for Summary {
 ///
 /// ```
 /// use vc_graph::{Draft, SceneBuilder, Simulator};
-/// use vc_planner::{OraclePolicy, run_episode};
+/// use vc_planner::{PlannerPolicy, run_episode};
 /// use vc_tasks::{Outcome, Task};
 /// let mut scene = SceneBuilder::new("flat");
 /// let kitchen = scene.add(Draft::new("kitchen"))?;
@@ -122,7 +122,7 @@ impl From<&Episode> for Summary {
 /// let scene = scene.build();
 /// let run = |goal: &str| -> Result<_, vc_graph::goal::GoalError> {
 ///     let task = Task::new("in time", goal.parse()?);
-///     Ok(run_episode(&mut OraclePolicy::default(), &task, &mut Simulator::new(scene.clone())))
+///     Ok(run_episode(&mut PlannerPolicy::oracle(), &task, &mut Simulator::new(scene.clone())))
 /// };
 /// let aired = run("eventually Open(fridge) & Closed(fridge)")?;
 /// assert_eq!((aired.outcome, aired.steps), (Outcome::Won, 3)); // walk, open, close

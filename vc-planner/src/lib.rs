@@ -54,7 +54,7 @@ pub use open_condition::{OpenCondition, Unreachable};
 pub use plan::{Horizon, Plan};
 pub use planner::{Planner, plan};
 pub use policy::{
-    EpisodeStart, OraclePolicy, PlannerPolicy, Policy, RandomPolicy, RefusalResponse, ScriptedPolicy,
+    EpisodeStart, PlannerPolicy, Policy, RandomPolicy, RefusalResponse, ScriptedPolicy,
     objects_of_interest,
 };
 pub use prior::{Habit, Prior};
