@@ -40,7 +40,7 @@ mod tests {
     use super::*;
 
     #[test]
-    #[expect(clippy::disallowed_methods, reason = "the standard library's are compared with")]
+    #[expect(clippy::disallowed_methods, reason = "the comparison is with them")]
     fn agrees_with_the_standard_library() {
         for n in (LEAST..=MOST).step_by(4) {
             for (k, (c, s)) in circle(n).into_iter().enumerate() {
