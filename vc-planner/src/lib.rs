@@ -54,8 +54,7 @@ pub use open_condition::{OpenCondition, Unreachable};
 pub use plan::{Horizon, Plan};
 pub use planner::{Planner, plan};
 pub use policy::{
-    EpisodeStart, PlannerPolicy, Policy, RandomPolicy, RefusalResponse, ScriptedPolicy,
-    objects_of_interest,
+    EpisodeStart, PlannerPolicy, Policy, RandomPolicy, RefusalResponse, ScriptedPolicy, objects_of_interest,
 };
 pub use prior::{Habit, Prior};
 pub use record::{Fault, Header, Trajectory, TrajectoryError};

@@ -67,8 +67,7 @@ impl Compiler<'_> {
     /// The first few of some places: those at spots that are walked to anyway, and then those in this room.
     fn few(&self, mut places: SmallList) -> SmallList {
         let graph = self.now.graph;
-        let (here, hand) =
-            (graph.room_of(self.now.agent), |id: NodeId| self.spot_number(anchor(graph, id)).is_some());
+        let (here, hand) = (graph.room_of(self.now.agent), |id: NodeId| self.spot_number(anchor(graph, id)).is_some());
         if let SmallList::Many(many) = &mut places
             && many.len() > PLACES
         {

@@ -9,7 +9,7 @@ use vc_tasks::{Task, WorldError};
 
 use crate::{Belief, Decision, Learned};
 
-pub use planning::{PlannerPolicy};
+pub use planning::PlannerPolicy;
 pub use random::{RandomPolicy, objects_of_interest};
 pub use scripted::ScriptedPolicy;
 

@@ -11,8 +11,8 @@ use placements::{Rule, errand};
 use vc_graph::{Action, Draft, NodeId, Relation, SceneBuilder, SceneGraph, Seed, Simulator};
 use vc_planner::language::{Answer, AnswerError, read_answer};
 use vc_planner::{
-    Belief, EpisodeOptions, Fault, LanguageModel, PlannerPolicy, Policy, Prior, RandomPolicy,
-    ScriptedPolicy, Trajectory, run_episode,
+    Belief, EpisodeOptions, Fault, LanguageModel, PlannerPolicy, Policy, Prior, RandomPolicy, ScriptedPolicy,
+    Trajectory, run_episode,
 };
 use vc_tasks::{Outcome, Task};
 

@@ -6,9 +6,7 @@ use crate::homes;
 
 use homes::{GOALS, home};
 use vc_graph::{Action, NodeId, SceneGraph, Scope, Simulator, Verb};
-use vc_planner::{
-    EpisodeOptions, Fault, PlannerPolicy, Policy, RandomPolicy, ScriptedPolicy, Trajectory,
-};
+use vc_planner::{EpisodeOptions, Fault, PlannerPolicy, Policy, RandomPolicy, ScriptedPolicy, Trajectory};
 use vc_tasks::{Outcome, Task};
 
 fn record(run: &EpisodeOptions, policy: &mut dyn Policy, scene: &SceneGraph, goal: &str) -> Trajectory {

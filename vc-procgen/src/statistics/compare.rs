@@ -187,7 +187,10 @@ impl Statistics {
             text,
             "Ours: the {homes} homes with two or three bedrooms and as many bathrooms; windows: all homes.\n"
         )?;
-        writeln!(text, "| quantity | measured | reference | difference | tolerance | kept |\n|---|---|---|---|---|---|")?;
+        writeln!(
+            text,
+            "| quantity | measured | reference | difference | tolerance | kept |\n|---|---|---|---|---|---|"
+        )?;
         self.compare().iter().try_for_each(|c| writeln!(text, "{}", c.row()))
     }
 }
