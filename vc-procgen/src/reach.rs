@@ -56,7 +56,7 @@ impl Reach {
     pub(crate) fn new(plan: &FloorPlan, items: &[Item]) -> Self {
         let hull = plan.hull().grown(MARGIN);
         let (west, south) = (hull.x0, hull.y0);
-        let mut floor = BitGrid::new(hull.width() as usize, hull.depth() as usize);
+        let mut floor = BitGrid::new(hull.width().max(0) as usize, hull.depth().max(0) as usize);
         let mut fill = |r: &Rect, value| {
             let (x, y) = from_corner(r, (west, south));
             floor.fill(x, y, value);

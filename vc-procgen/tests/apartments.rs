@@ -358,7 +358,7 @@ fn broken_references_are_reported() {
     }
 }
 
-/// An item may be anywhere: violations name it as the scene does.
+/// Items may be anywhere and rooms inside out: violations name items as the scene does.
 #[test]
 fn violations_name_the_node() {
     let home = Apartment::from_seed(Seed(7)).unwrap();
@@ -370,4 +370,8 @@ fn violations_name_the_node() {
         let found: Vec<String> = edited.check().iter().map(ToString::to_string).collect();
         assert!(found.iter().any(|text| text.starts_with(&format!("{label} is not within room"))), "{far}: {found:?}");
     }
+    let mut inverted = home.clone();
+    let rects = inverted.plan.rooms.iter_mut().flat_map(|room| &mut room.rects);
+    rects.for_each(|r| std::mem::swap(&mut r.x0, &mut r.x1));
+    assert!(!inverted.check().is_empty());
 }
