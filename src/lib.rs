@@ -101,7 +101,7 @@ pub use environment::{
     Unplaced, UnplacedReason,
 };
 #[cfg(all(feature = "environment", feature = "render"))]
-pub use environment::{CameraError, CameraId, Lens, Mount, NamedCamera, PictureOptions, Viewpoint};
+pub use environment::{CameraError, CameraId, Lens, Mount, NamedCamera, PictureError, PictureOptions, Viewpoint};
 pub use files::{FileError, FileProblem, read_bytes, read_scene, read_text};
 pub use json_lines::{JsonLines, ResumableRun};
 pub use page::{Page, PageAction, PageFigure, PageFilm};

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 use vc_graph::{Action, ChangeSet, History, NodeId, SceneGraph, Seed, Simulator};
-use vc_planner::{EpisodeOptions, OraclePolicy, PlannerPolicy, Policy, Prior, RandomPolicy};
+use vc_planner::{EpisodeOptions, PlannerPolicy, Policy, Prior, RandomPolicy};
 use vc_tasks::initial::Initial;
 use vc_tasks::library::Activity;
 use vc_tasks::report::{Run, predicates};
@@ -19,7 +19,7 @@ pub(crate) fn policies(symbolic: bool) -> Vec<Box<dyn Policy>> {
         all.push(Box::new(PlannerPolicy::best().with_prior(Prior::Uniform).named("planner, uniform")));
     }
     all.push(Box::new(PlannerPolicy::best()));
-    all.push(Box::new(OraclePolicy::default()));
+    all.push(Box::new(PlannerPolicy::oracle()));
     all
 }
 

@@ -30,7 +30,7 @@ use std::path::PathBuf;
 
 use clap::{Parser, ValueEnum};
 use support::Complaint;
-use vc_planner::{OraclePolicy, PlannerPolicy, Policy, RandomPolicy};
+use vc_planner::{PlannerPolicy, Policy, RandomPolicy};
 
 /// An agent pursues a household goal and sees only the room it is in.
 #[derive(Parser)]
@@ -136,7 +136,7 @@ impl Who {
         match self {
             Self::Planner => Box::new(PlannerPolicy::best()),
             Self::Faithful => Box::new(PlannerPolicy::faithful()),
-            Self::Oracle => Box::new(OraclePolicy::default()),
+            Self::Oracle => Box::new(PlannerPolicy::oracle()),
             Self::Random => Box::new(RandomPolicy::default()),
         }
     }

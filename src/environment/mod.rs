@@ -49,7 +49,7 @@ pub use error::{ActionError, MakeError, PhysicalRefusal, ResetError, SaveError, 
 #[cfg(feature = "render")]
 pub(crate) use export::position;
 #[cfg(feature = "render")]
-pub use pictures::{CameraError, CameraId, Lens, Mount, NamedCamera, PictureOptions, Viewpoint};
+pub use pictures::{CameraError, CameraId, Lens, Mount, NamedCamera, PictureError, PictureOptions, Viewpoint};
 #[cfg(feature = "render")]
 pub(crate) use pictures::{GLANCE, sight_of};
 #[cfg(feature = "render")]

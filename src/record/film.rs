@@ -3,15 +3,15 @@
 use std::collections::BTreeSet;
 
 use rayon::prelude::*;
-use vc_graph::{Label, NodeId};
+use vc_graph::NodeId;
 use vc_procgen::picture::{Anchor, Canvas, Colour};
 use vc_render::picture::{self, Picture};
-use vc_render::{Adaptation, Frame, Modalities, Modality, RenderError};
+use vc_render::{Adaptation, Frame, Modalities, Modality};
 
 use super::dataset::Dataset;
 use super::{OwnFiles, RecordError, feet, save};
 use crate::environment::{GLANCE, sight_of};
-use crate::{Environment, PageFilm, PictureOptions, Viewpoint};
+use crate::{Environment, PageFilm, PictureError, PictureOptions, Viewpoint};
 
 /// Ticks of the home between two pictures, at first.
 const EVERY: u32 = 10;
@@ -97,7 +97,7 @@ impl Film {
     }
 
     /// A picture of each action with its words, eight at most; of the home as it is if nothing was done.
-    pub(super) fn strip(&mut self, home: &Environment, words: &[String]) -> Result<Picture, RenderError<Label>> {
+    pub(super) fn strip(&mut self, home: &Environment, words: &[String]) -> Result<Picture, PictureError> {
         let caption = |action: usize| words.get(action).map_or("", String::as_str);
         let moments = self.moments();
         let shown = moments.iter().map(|(action, at)| captioned(&self.pictures[*at], caption(*action)));
@@ -106,7 +106,7 @@ impl Film {
     }
 
     /// The home as it is, from the eyes and from the corner.
-    fn pair(&mut self, home: &Environment) -> Result<Picture, RenderError<Label>> {
+    fn pair(&mut self, home: &Environment) -> Result<Picture, PictureError> {
         let views = self.views(home)?;
         let pair = [self.shot(home, views, 0)?, self.shot(home, views, 1)?];
         Ok(Picture::sheet(&pair, 2, 4))
@@ -165,7 +165,7 @@ impl Film {
     }
 
     /// The agent's eyes, and the camera of the room it is in.
-    fn views(&mut self, home: &Environment) -> Result<[Viewpoint; 2], RenderError<Label>> {
+    fn views(&mut self, home: &Environment) -> Result<[Viewpoint; 2], PictureError> {
         let room = home.room_at(feet(home, self.me)).or(self.room);
         if room != self.room {
             (self.room, self.corner) = (room, None);
@@ -186,7 +186,7 @@ impl Film {
 
     /// A picture from one of the views. An eye gets used to other light little by little, unless its view has
     /// jumped to another room.
-    fn shot(&mut self, home: &Environment, views: [Viewpoint; 2], which: usize) -> Result<Picture, RenderError<Label>> {
+    fn shot(&mut self, home: &Environment, views: [Viewpoint; 2], which: usize) -> Result<Picture, PictureError> {
         let (view, seconds) = (views[which], self.every as f32 * home.world().settings().dt);
         let used = self.used[which].filter(|(from, _)| *from == view);
         let adapts = used.map(|(_, from)| Adaptation::after(from, seconds));
@@ -201,14 +201,14 @@ impl Film {
     }
 
     /// Keeps all modalities of the moment that tells most.
-    fn look(&mut self, home: &Environment, views: [Viewpoint; 2]) -> Result<(), RenderError<Label>> {
+    fn look(&mut self, home: &Environment, views: [Viewpoint; 2]) -> Result<(), PictureError> {
         let Some(before) = self.before.take() else { return Ok(()) };
         let telling = self.telling(&before, home, views)?;
         if telling <= self.most_telling {
             return Ok(());
         }
         self.most_telling = telling;
-        let sheet = |view| -> Result<Picture, RenderError<Label>> {
+        let sheet = |view| -> Result<Picture, PictureError> {
             let frame = before.render_until(home, view, Modalities::SIX, self.size.0, self.size.1);
             Ok(six(&frame?))
         };
@@ -218,12 +218,7 @@ impl Film {
 
     /// How much a moment tells: nothing unless the agent moves; more while it holds something, while
     /// all of it is seen from the corner, and the more things it sees.
-    fn telling(
-        &self,
-        before: &Environment,
-        now: &Environment,
-        views: [Viewpoint; 2],
-    ) -> Result<usize, RenderError<Label>> {
+    fn telling(&self, before: &Environment, now: &Environment, views: [Viewpoint; 2]) -> Result<usize, PictureError> {
         if (feet(before, self.me) - feet(now, self.me)).norm() <= 1e-3 {
             return Ok(0);
         }
@@ -235,7 +230,7 @@ impl Film {
     }
 
     /// One more picture, from the corner.
-    pub(super) fn end(&mut self, home: &Environment) -> Result<Picture, RenderError<Label>> {
+    pub(super) fn end(&mut self, home: &Environment) -> Result<Picture, PictureError> {
         let views = self.views(home)?;
         self.shot(home, views, 1)
     }

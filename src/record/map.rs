@@ -1,11 +1,10 @@
 //! The home from above, and the ways the agents went.
 
 use nalgebra::{Point2, Point3};
-use vc_graph::Label;
 use vc_render::picture::{self, Picture};
-use vc_render::{Camera, Modality, RenderError};
+use vc_render::{Camera, Modality};
 
-use crate::{Environment, Viewpoint};
+use crate::{Environment, PictureError, Viewpoint};
 
 /// Size of the map, pixels.
 const SIZE: (u32, u32) = (960, 720);
@@ -21,7 +20,7 @@ const WIDE: f32 = 2.4;
 /// Distance of the points of which the way is drawn, metres.
 const FINE: f32 = 0.005;
 
-pub(super) fn of(home: &Environment, ways: &[Vec<Point2<f32>>]) -> Result<Picture, RenderError<Label>> {
+pub(super) fn of(home: &Environment, ways: &[Vec<Point2<f32>>]) -> Result<Picture, PictureError> {
     let frame = home.render(Viewpoint::Overhead, Modality::Rgb, SIZE.0, SIZE.1)?;
     let camera = home.camera(Viewpoint::Overhead, SIZE.0, SIZE.1)?;
     let mut picture = picture::rgb(&frame);

@@ -17,7 +17,7 @@ use vc_render::picture;
 use vc_render::{Daylight, RenderError};
 use vc_tasks::{Task, World, WorldError};
 
-use crate::{Environment, FileError, Page, PageAction, PageFilm, PictureOptions, files};
+use crate::{Environment, FileError, Page, PageAction, PageFilm, PictureError, PictureOptions, files};
 pub use dataset::Dataset;
 use film::Film;
 pub use own::OwnFiles;
@@ -123,7 +123,7 @@ pub enum RecordError {
     File(#[from] FileError),
     /// A picture could not be made.
     #[error("no picture of the episode can be made: {0}")]
-    Picture(#[from] RenderError<Label>),
+    Picture(#[from] PictureError),
     /// The scene could not be written as glTF.
     #[error("the scene cannot be written as glTF: {0}")]
     Scene(#[from] vc_gltf::GltfError),
@@ -152,8 +152,11 @@ pub enum RecordError {
     },
 }
 
-impl From<RenderError> for RecordError {
-    fn from(error: RenderError) -> Self {
+impl<N> From<RenderError<N>> for RecordError
+where
+    PictureError: From<RenderError<N>>,
+{
+    fn from(error: RenderError<N>) -> Self {
         Self::Picture(error.into())
     }
 }
@@ -184,11 +187,8 @@ impl Recorder {
         }
         let width = options.width;
         if width == 0 || width > vc_render::camera::MAX_SIDE {
-            return Err(RecordError::Picture(RenderError::BadSize {
-                width,
-                height: width,
-                longest: vc_render::camera::MAX_SIDE,
-            }));
+            let bad = RenderError::BadSize { width, height: width, longest: vc_render::camera::MAX_SIDE };
+            return Err(PictureError::Render(bad).into());
         }
         let daylight = options.daylight.unwrap_or(home.pictures().daylight);
         home.set_pictures(PictureOptions { daylight, finer: options.finer, ..*home.pictures() });

@@ -64,7 +64,7 @@ pub use self::fisheye::Fisheye;
 pub use self::lidar::{Lidar, LidarScan};
 pub(crate) use self::suite::NamedSensor;
 pub use self::suite::SensorId;
-use crate::{CameraError, Environment, Lens, Mount, PictureOptions, Viewpoint};
+use crate::{CameraError, Environment, Lens, Mount, PictureError, PictureOptions, Viewpoint};
 
 /// A sensor: it measures something of an environment from where it is mounted. The [module](self) has an example of your
 /// own.
@@ -137,6 +137,15 @@ pub enum SensorError {
     Own(String),
 }
 
+impl From<PictureError> for SensorError {
+    fn from(error: PictureError) -> Self {
+        match error {
+            PictureError::Camera(error) => error.into(),
+            PictureError::Render(error) => error.into(),
+        }
+    }
+}
+
 /// Everything a sensor is given to measure with: the environment, where the sensor is, and a seed.
 #[derive(Debug, Clone, Copy)]
 pub struct SensorView<'a> {
@@ -160,7 +169,7 @@ impl<'a> SensorView<'a> {
     /// The pose of the sensor: it looks along X, its left is along Y, its top along Z.
     ///
     /// # Errors
-    /// [`RenderError`] if what it is mounted on has gone.
+    /// [`SensorError`] if the thing that it is mounted on has gone.
     pub fn pose(&self) -> Result<Pose, SensorError> {
         Ok(self.camera(Lens::Options, 64, 48)?.body())
     }

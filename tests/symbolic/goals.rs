@@ -6,7 +6,7 @@
 use vc_graph::format::eai;
 use vc_graph::goal::Situation;
 use vc_graph::{Action, ClassTable, Goal, SceneGraph, Simulator, Verb};
-use vc_planner::{Episode, EpisodeOptions, OraclePolicy, PlannerPolicy, Policy};
+use vc_planner::{Episode, EpisodeOptions, PlannerPolicy, Policy};
 use vc_tasks::{Outcome, Task, household};
 
 /// Unreachable goals, with the reasons.
@@ -29,7 +29,7 @@ fn eai_goals_with_full_knowledge() {
         let scene = record.initial.build(&record.id, &ClassTable::builtin()).unwrap();
         let me = scene.agents()[0];
         let task = Task::new(&wanted.title, wanted.goal.clone());
-        let (episode, world) = attempt(&scene, &task, &mut OraclePolicy::default(), 0);
+        let (episode, world) = attempt(&scene, &task, &mut PlannerPolicy::oracle(), 0);
         attempted += 1;
         let unreachable = UNREACHABLE.iter().any(|(id, _)| *id == record.id);
         assert_eq!(episode.outcome == Outcome::Won, !unreachable, "{}: {} {:?}", record.id, task.goal, episode);

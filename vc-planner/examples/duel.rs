@@ -10,7 +10,7 @@
 use serde::{Deserialize, Serialize};
 use vc_graph::format::virtualhome::EnvironmentGraph;
 use vc_graph::{ClassTable, NodeId, SceneGraph, Seed, Simulator, Verb};
-use vc_planner::{EpisodeOptions, OraclePolicy, PlannerPolicy, Policy, Prior};
+use vc_planner::{EpisodeOptions, PlannerPolicy, Policy, Prior};
 use vc_tasks::format::watch_and_help;
 use vc_tasks::{Outcome, Task};
 
@@ -52,7 +52,7 @@ fn policy(name: &str) -> Box<dyn Policy> {
         "planner" => Box::new(PlannerPolicy::best()),
         "uniform" => Box::new(PlannerPolicy::best().with_prior(Prior::Uniform)),
         "faithful" => Box::new(PlannerPolicy::faithful()),
-        "oracle" => Box::new(OraclePolicy::default()),
+        "oracle" => Box::new(PlannerPolicy::oracle()),
         other => panic!("no policy `{other}`; there are planner, uniform, faithful and oracle"),
     }
 }

@@ -13,7 +13,7 @@ mod placements;
 
 use placements::{Rule, errand};
 use vc_graph::{SceneGraph, Simulator};
-use vc_planner::{EpisodeOptions, OraclePolicy, PlannerPolicy, Policy, Prior};
+use vc_planner::{EpisodeOptions, PlannerPolicy, Policy, Prior};
 use vc_tasks::{Outcome, Task};
 
 const RULES: [(&str, Rule); 3] =
@@ -37,7 +37,7 @@ fn main() {
             let (home, goal) = errand(scene, rule, (1 + seed % MOST) as usize, seed);
             let uniform = || PlannerPolicy::best().with_prior(Prior::Uniform);
             let policies: [&mut dyn Policy; 3] =
-                [&mut PlannerPolicy::best(), &mut uniform(), &mut OraclePolicy::default()];
+                [&mut PlannerPolicy::best(), &mut uniform(), &mut PlannerPolicy::oracle()];
             let runs = policies.map(|policy| attempt(policy, &home, &goal, seed));
             all += 1;
             won += usize::from(runs[0].0);

@@ -29,7 +29,7 @@ pub(crate) struct Moment<'a> {
 
 impl Moment<'_> {
     /// The present step of a situation.
-    pub(crate) fn of<'a>(now: Situation<'a>, known: &'a KnownNodes, knows_all: bool) -> Moment<'a> {
+    pub(crate) fn new<'a>(now: Situation<'a>, known: &'a KnownNodes, knows_all: bool) -> Moment<'a> {
         Moment { now, known, knows_all, since: now.events.len().saturating_sub(1) }
     }
 

@@ -2,11 +2,12 @@
 
 mod conflict;
 mod piles;
+mod puts;
 mod site;
 mod uses;
 
 use vc_graph::goal::{Predicate, Situation};
-use vc_graph::{Condition, NodeId, NodeKind, Property, Relation, SceneGraph, State as Word, Verb};
+use vc_graph::{Condition, NodeId, Property, Relation, SceneGraph, State as Word, Verb};
 
 use crate::demand::{Demand, Demands};
 use crate::manners::Leave;
@@ -40,8 +41,6 @@ pub(crate) struct Compiled {
 
 /// How many piles of a need are kept, besides its number: the rest are no better.
 const SPARE: usize = 4;
-/// How many places are tried for a need.
-const PLACES: usize = 4;
 
 pub(crate) struct Compiler<'a> {
     now: &'a Situation<'a>,
@@ -301,80 +300,6 @@ impl Compiler<'_> {
         self.out.rest |= self.out.more;
         self.out.start.needs |= units;
         self.out.problem.needs.push(Need { ways, units, spots });
-    }
-
-    /// Where items of a demand can be put.
-    fn puts(&mut self, demand: &Demand<'_>, verb: Verb) -> Result<Vec<Way>> {
-        let graph = self.now.graph;
-        let me = self.now.agent;
-        let room = |id: &NodeId| graph.node(*id).is_some_and(|n| n.kind() == NodeKind::Room);
-        // A book is a surface for a bookmark, and for little else.
-        let takes = |id: &NodeId| {
-            !self.affords(*id, Property::Readable)
-                || demand.subjects().iter().any(|s| Condition::Fits(*s, *id).holds(graph, me))
-        };
-        let fits = |id: &NodeId| match verb {
-            Verb::Place => Condition::Carries(*id).holds(graph, me) && takes(id),
-            _ => room(id) || Condition::Encloses(*id).holds(graph, me),
-        };
-        let others = demand.others();
-        if others.is_empty() {
-            return Err(Unreachable::NoInstance(demand.part.to_string()));
-        }
-        let places: SmallList = others.iter().copied().filter(fits).collect();
-        if places.is_empty() {
-            let text = demand.part.to_string();
-            return Err(if verb == Verb::Place {
-                Unreachable::NotASurface(text)
-            } else {
-                Unreachable::NotAContainer(text)
-            });
-        }
-        let Some(&sample) = demand.subjects().first() else {
-            return Err(Unreachable::NoInstance(demand.part.to_string()));
-        };
-        let holds = |at: &NodeId| room(at) || Condition::Fits(sample, *at).holds(graph, me);
-        let mut places: SmallList = places.iter().copied().filter(holds).collect();
-        let (here, hand) = (graph.room_of(me), |id: NodeId| self.spot_number(anchor(graph, id)).is_some());
-        if let SmallList::Many(many) = &mut places
-            && many.len() > PLACES
-        {
-            many.sort_by_key(|&id| (!hand(id), graph.room_of(id) != here, id));
-            many.truncate(PLACES);
-        }
-        if places.iter().all(|&id| graph.room_of(id).is_none()) && !places.is_empty() {
-            return Err(Unreachable::NoRoute(demand.part.to_string()));
-        }
-        let mut ways = Vec::new();
-        for &at in places.iter() {
-            // Things on movable things are left to the general planner.
-            if self.affords(at, Property::Graspable) {
-                continue;
-            }
-            if room(&at) {
-                ways.extend(self.in_room(at));
-            } else if let Some(way) = self.put(verb, at) {
-                ways.push(way);
-            }
-        }
-        Ok(ways)
-    }
-
-    fn put(&mut self, verb: Verb, at: NodeId) -> Option<Way> {
-        let (spot, inner) = self.site(at)?;
-        let own = verb == Verb::PutIn && self.graph().node(at).is_some_and(|n| n.affords(Property::Openable));
-        let door = match (own, inner) {
-            (true, None) => Some(self.door(at, spot)?),
-            (false, door) => door,
-            (true, Some(_)) => return None,
-        };
-        Some(Way::Put { verb, at, spot, door })
-    }
-
-    /// Something in a room is put on some surface there, or let go.
-    fn in_room(&mut self, room: NodeId) -> Option<Way> {
-        let spot = self.spot(room)?;
-        Some(Way::Put { verb: Verb::Drop, at: room, spot, door: None })
     }
 
     /// Whether it is known where a thing is: it has been seen, or belongs to the home.

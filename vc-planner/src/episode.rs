@@ -2,11 +2,12 @@
 
 use serde::{Deserialize, Serialize};
 use vc_graph::{Action, Digest, NodeId, Observation, Place, SceneGraph, Seed};
-use vc_tasks::{GoalProgress, Outcome, Task, World, WorldError};
+use vc_tasks::{GoalProgress, Outcome, Task, World};
 
 use crate::observation::as_json;
 use crate::policy::{EpisodeStart, Policy, RefusalResponse};
-use crate::{Decision, Learned, Plan, Unreachable};
+use crate::reason::{explained, hopeless, loss, refusal};
+use crate::{Decision, Learned, Plan};
 
 /// One step of an episode, as it is recorded.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
@@ -49,7 +50,7 @@ pub struct Step {
 ///
 /// ```
 /// use vc_graph::{Draft, SceneBuilder, Simulator};
-/// use vc_planner::{OraclePolicy, run_episode};
+/// use vc_planner::{PlannerPolicy, run_episode};
 /// use vc_tasks::{Outcome, Task};
 /// let mut scene = SceneBuilder::new("flat");
 /// let kitchen = scene.add(Draft::new("kitchen"))?;
@@ -58,7 +59,7 @@ pub struct Step {
 /// let me = scene.add_in(kitchen, Draft::new("character"))?;
 /// let mut world = Simulator::new(scene.build());
 /// let task = Task::new("fetch", "Holds(apple)".parse()?);
-/// let episode = run_episode(&mut OraclePolicy::default(), &task, &mut world);
+/// let episode = run_episode(&mut PlannerPolicy::oracle(), &task, &mut world);
 /// assert_eq!((episode.outcome, episode.steps), (Outcome::Won, 2));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -111,7 +112,7 @@ impl From<&Episode> for Summary {
 ///
 /// ```
 /// use vc_graph::{Draft, SceneBuilder, Simulator};
-/// use vc_planner::{OraclePolicy, run_episode};
+/// use vc_planner::{PlannerPolicy, run_episode};
 /// use vc_tasks::{Outcome, Task};
 /// let mut scene = SceneBuilder::new("flat");
 /// let kitchen = scene.add(Draft::new("kitchen"))?;
@@ -121,7 +122,7 @@ impl From<&Episode> for Summary {
 /// let scene = scene.build();
 /// let run = |goal: &str| -> Result<_, vc_graph::goal::GoalError> {
 ///     let task = Task::new("in time", goal.parse()?);
-///     Ok(run_episode(&mut OraclePolicy::default(), &task, &mut Simulator::new(scene.clone())))
+///     Ok(run_episode(&mut PlannerPolicy::oracle(), &task, &mut Simulator::new(scene.clone())))
 /// };
 /// let aired = run("eventually Open(fridge) & Closed(fridge)")?;
 /// assert_eq!((aired.outcome, aired.steps), (Outcome::Won, 3)); // walk, open, close
@@ -173,8 +174,8 @@ impl EpisodeOptions {
     /// Lets a policy pursue a task until it is done, gives up or runs out of steps,
     /// telling `watch` each step. The verdict is by the true scene, not by what the
     /// policy believes, and for a goal with words of time by the trace of true scenes: [`GoalProgress`]. An episode is
-    /// lost at once in a scene without an agent, and for a task whose goal has a name that stands for nothing
-    /// ([`Task::lost`]).
+    /// lost at once in a scene without an agent, if [`agent`](Self::agent) is none, and for a task whose goal has a
+    /// name that stands for nothing ([`Task::lost`]).
     pub fn episode(
         &self,
         policy: &mut dyn Policy,
@@ -189,8 +190,8 @@ impl EpisodeOptions {
         let Some(agent) = self.agent.or_else(|| world.graph().agents().first().copied()) else {
             return lost("the scene has no agent".into());
         };
-        if let Some(why) = task.lost(world.graph()) {
-            return lost(why.to_string());
+        if let Some(why) = hopeless(&[agent], task, world.graph()) {
+            return lost(why);
         }
         policy.begin(&EpisodeStart { scene: world.graph(), agent, task, seed: self.seed });
         let (progress, keeps_observations) = (task.begin(world, agent), self.keeps_observations);
@@ -227,7 +228,7 @@ impl Running<'_> {
         let learned = policy.see(&seen);
         let (action, plan) = match policy.decide() {
             Decision::Act(..) if self.done >= self.task.step_limit => {
-                return Some((Outcome::TimedOut, Some("step limit reached".into())));
+                return Some((Outcome::TimedOut, None));
             }
             Decision::Act(action, plan) => (action, plan),
             Decision::Done => return Some((Outcome::Lost, None)),
@@ -265,39 +266,13 @@ impl Running<'_> {
     }
 
     /// The verdict: an agent that stopped has won if the goal holds. A refusal is a reason, too.
-    fn end(&mut self, outcome: Outcome, reason: Option<String>) -> Episode {
-        let score = self.progress.score(self.world);
-        let (steps, digest) = (self.done, self.world.graph().digest());
-        if self.holds() {
-            return Episode { outcome: Outcome::Won, score, steps, reason: None, digest };
-        }
-        let refused = self.refused.take().filter(|_| outcome != Outcome::TimedOut).map(|(_, why)| why);
-        let mut reasons: Vec<String> = reason.into_iter().chain(refused).collect();
-        if outcome != Outcome::TimedOut && reasons.is_empty() {
-            reasons.extend(self.progress.lost(self.world).map(|lost| lost.to_string()));
-        }
-        let reason = (!reasons.is_empty()).then(|| reasons.join("; "));
-        Episode { outcome, score, steps, reason, digest }
+    fn end(mut self, outcome: Outcome, reason: Option<String>) -> Episode {
+        let outcome = if self.holds() { Outcome::Won } else { outcome };
+        let stopped = reason.into_iter().chain(self.refused.take().map(|(_, why)| why)).collect();
+        let reason = loss(outcome, stopped, &mut self.progress, self.world);
+        let (score, digest) = (self.progress.score(self.world), self.world.graph().digest());
+        Episode { outcome, score, steps: self.done, reason, digest }
     }
-}
-
-/// Why an action was not done.
-pub(crate) fn refusal(action: &str, why: &WorldError) -> String {
-    let why = why.to_string();
-    let why = why.strip_prefix("refused: ").unwrap_or(&why);
-    // Bodies name the action themselves.
-    let why = why.strip_prefix(action).and_then(|rest| rest.strip_prefix(": ")).unwrap_or(why);
-    format!("`{action}` was refused: {why}")
-}
-
-/// Why a policy gives up, and what the scene, which it need not know, has too little of.
-pub(crate) fn explained(reason: &Unreachable, task: &Task, graph: &SceneGraph) -> String {
-    let obstacles = match reason {
-        Unreachable::NoInstance(_) | Unreachable::Conflicting(_) | Unreachable::NoPlan(_) => task.obstacles(graph),
-        _ => Vec::new(),
-    };
-    let obstacles: Vec<String> = obstacles.iter().map(ToString::to_string).collect();
-    if obstacles.is_empty() { reason.to_string() } else { format!("{reason}: {}", obstacles.join("; ")) }
 }
 
 fn describe(

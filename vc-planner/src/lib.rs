@@ -23,6 +23,7 @@ mod plan;
 mod planner;
 mod policy;
 mod prior;
+mod reason;
 mod record;
 mod regression;
 mod rounds;
@@ -53,8 +54,7 @@ pub use open_condition::{OpenCondition, Unreachable};
 pub use plan::{Horizon, Plan};
 pub use planner::{Planner, plan};
 pub use policy::{
-    EpisodeStart, OraclePolicy, PlannerPolicy, Policy, RandomPolicy, RefusalResponse, ScriptedPolicy,
-    objects_of_interest,
+    EpisodeStart, PlannerPolicy, Policy, RandomPolicy, RefusalResponse, ScriptedPolicy, objects_of_interest,
 };
 pub use prior::{Habit, Prior};
 pub use record::{Fault, Header, Trajectory, TrajectoryError};

@@ -6,7 +6,7 @@ use vc_graph::{Action, NodeId, SceneGraph, State, Verb};
 ///
 /// ```
 /// use vc_graph::{Draft, SceneBuilder, Simulator, State};
-/// use vc_planner::{Manners, OraclePolicy, run_episode};
+/// use vc_planner::{Manners, PlannerPolicy, run_episode};
 /// use vc_tasks::{Outcome, Task};
 /// let mut scene = SceneBuilder::new("flat");
 /// let kitchen = scene.add(Draft::new("kitchen"))?;
@@ -16,7 +16,7 @@ use vc_graph::{Action, NodeId, SceneGraph, State, Verb};
 /// let (scene, task) = (scene.build(), Task::new("milk", "Holds(milk)".parse()?));
 /// for (manners, left) in [(Manners::GoalOnly, State::Open), (Manners::Tidy, State::Closed)] {
 ///     let mut world = Simulator::new(scene.clone());
-///     let episode = run_episode(&mut OraclePolicy::default().with_manners(manners), &task, &mut world);
+///     let episode = run_episode(&mut PlannerPolicy::oracle().with_manners(manners), &task, &mut world);
 ///     assert_eq!(episode.outcome, Outcome::Won);
 ///     assert!(world.graph().node(fridge).is_some_and(|n| n.is(left)));
 /// }

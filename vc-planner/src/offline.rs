@@ -42,7 +42,7 @@ impl Trajectory {
     ///
     /// ```
     /// use vc_graph::{Draft, SceneBuilder, Scope, Simulator};
-    /// use vc_planner::{EpisodeOptions, OraclePolicy, Trajectory};
+    /// use vc_planner::{EpisodeOptions, PlannerPolicy, Trajectory};
     /// use vc_tasks::Task;
     /// let mut scene = SceneBuilder::new("flat");
     /// let kitchen = scene.add(Draft::new("kitchen"))?;
@@ -52,7 +52,7 @@ impl Trajectory {
     /// let mut world = Simulator::new(scene.build());
     /// let start = world.graph().clone();
     /// let task = Task::new("fetch", "Holds(apple)".parse()?);
-    /// let episode = Trajectory::record(&EpisodeOptions::seeded(1), &mut OraclePolicy::default(), &task, &mut world);
+    /// let episode = Trajectory::record(&EpisodeOptions::seeded(1), &mut PlannerPolicy::oracle(), &task, &mut world);
     /// let steps = episode.transitions(&start, Scope::Room)?;
     /// assert!(steps.last().is_some_and(|step| step.terminated && step.reward == 1.0));
     /// # Ok::<(), Box<dyn std::error::Error>>(())

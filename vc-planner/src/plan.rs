@@ -35,7 +35,7 @@ pub struct Plan {
     pub actions: Vec<Action>,
     /// The conditions that the actions bring about, each with the number of its actions, in order; only plans by
     /// regression have them.
-    pub stretches: Vec<(OpenCondition, usize)>,
+    pub conditions: Vec<(OpenCondition, usize)>,
     /// No plan of the packed problem is shorter. Where the goal has parts beyond it,
     /// nothing is proved.
     pub proved: bool,

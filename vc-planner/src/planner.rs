@@ -106,43 +106,43 @@ impl Planner {
         if is_tidy && goal.holds(&Situation { graph, agent, events }) {
             return Ok(Plan { proved: true, ..Plan::default() });
         }
-        // The tidiest, then the shortest.
-        let mut best: Option<(usize, Plan)> = None;
-        let mut offer = |amiss: usize, plan: Plan| {
-            if best.as_ref().is_none_or(|(least, b)| (amiss, plan.actions.len()) < (*least, b.actions.len())) {
-                best = Some((amiss, plan));
-            }
-        };
-        let mut reason = None;
-        let mut choice = Choice::default();
-        let (mut general, mut found) = (false, false);
+        let mut offers = Offers::default();
+        let general = self.pack(graph, agent, goal, events, &mut offers);
+        if general || offers.best.is_none() {
+            let known: KnownNodes = graph.nodes().map(Node::id).collect();
+            let mut way = Regression::new(graph, agent, &known, events, goal).tidying(self.tidy());
+            let plan = way.work(goal, Horizon::Goal, None);
+            offers.add(plan.map(|plan| (way.amiss().len(), plan)));
+            way.rewind(0);
+        }
+        offers.best(goal)
+    }
+
+    /// Offers the plans by packing for the alternatives of a goal; whether some of it was regressed for one.
+    fn pack(
+        &mut self,
+        graph: &mut SceneGraph,
+        agent: NodeId,
+        goal: &Goal,
+        events: &[Event],
+        offers: &mut Offers,
+    ) -> bool {
+        let (mut choice, mut general) = (Choice::default(), false);
         for _ in 0..ALTERNATIVES {
             for regress_postures in [false, true] {
-                match self.attempt(graph, agent, goal, events, (&mut choice, regress_postures)) {
-                    Ok((plan, left)) => {
-                        (general, found) = (general || left.rest, true);
-                        offer(left.amiss, plan);
-                        if !left.posture {
-                            break;
-                        }
-                    }
-                    Err(why) => reason = reason.or(Some(why)),
+                let made = self.attempt(graph, agent, goal, events, (&mut choice, regress_postures));
+                let packed_posture = made.as_ref().map_or(true, |(_, left)| left.posture);
+                general |= made.as_ref().is_ok_and(|(_, left)| left.rest);
+                offers.add(made.map(|(plan, left)| (left.amiss, plan)));
+                if !packed_posture {
+                    break;
                 }
             }
             if !choice.advance() {
                 break;
             }
         }
-        if general || !found {
-            let known: KnownNodes = graph.nodes().map(Node::id).collect();
-            let mut way = Regression::new(graph, agent, &known, events, goal).tidying(self.tidy());
-            match way.work(goal, Horizon::Goal, None) {
-                Ok(plan) => offer(way.amiss().len(), plan),
-                Err(why) => reason = reason.or(Some(why)),
-            }
-            way.rewind(0);
-        }
-        best.map(|(_, plan)| plan).ok_or_else(|| reason.unwrap_or_else(|| Unreachable::NoPlan(goal.to_string())))
+        general
     }
 
     /// A plan for what of a goal can be packed, by the first of its alternatives and
@@ -190,7 +190,7 @@ impl Planner {
         if !rest && way.holds(goal) {
             way.keep_in_hand(goal);
             // A seat may be at hand without a walk, which is not packed.
-            let plan = Plan { actions: way.actions(), stretches: Vec::new(), proved: proved && !posture };
+            let plan = Plan { actions: way.actions(), conditions: Vec::new(), proved: proved && !posture };
             let amiss = way.amiss().len();
             way.rewind(0);
             return Ok((plan, Left { rest, posture, amiss }));
@@ -272,6 +272,33 @@ impl Planner {
 fn demands_in_view<'g>(goal: &'g Goal, now: &Situation<'_>, choice: &mut Choice) -> Demands<'g> {
     let regress_postures = now.graph.node(now.agent).is_some_and(|n| n.pose().is_some());
     Demands { regress_postures, ..Reader::read(goal, now, choice) }
+}
+
+/// The best of some plans, and the first reason why one was not found.
+#[derive(Default)]
+struct Offers {
+    /// The tidiest, then the shortest: how many things are not left as they were, and the plan.
+    best: Option<(usize, Plan)>,
+    reason: Option<Unreachable>,
+}
+
+impl Offers {
+    fn add(&mut self, made: Result<(usize, Plan), Unreachable>) {
+        let better = |(amiss, plan): &(usize, Plan)| {
+            let is_less = |(least, best): &(usize, Plan)| (*amiss, plan.actions.len()) < (*least, best.actions.len());
+            self.best.as_ref().is_none_or(is_less)
+        };
+        match made {
+            Ok(plan) if better(&plan) => self.best = Some(plan),
+            Ok(_) => {}
+            Err(why) => self.reason = self.reason.take().or(Some(why)),
+        }
+    }
+
+    fn best(self, goal: &Goal) -> Result<Plan, Unreachable> {
+        let none = || self.reason.unwrap_or_else(|| Unreachable::NoPlan(goal.to_string()));
+        self.best.map(|(_, plan)| plan).ok_or_else(none)
+    }
 }
 
 /// The packed part of an attempt and the part that it left.

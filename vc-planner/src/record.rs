@@ -35,7 +35,7 @@ pub struct Header {
 ///
 /// ```
 /// use vc_graph::{Draft, SceneBuilder, Simulator};
-/// use vc_planner::{EpisodeOptions, OraclePolicy, Trajectory};
+/// use vc_planner::{EpisodeOptions, PlannerPolicy, Trajectory};
 /// use vc_tasks::Task;
 /// let mut scene = SceneBuilder::new("flat");
 /// let kitchen = scene.add(Draft::new("kitchen"))?;
@@ -45,7 +45,7 @@ pub struct Header {
 /// let mut world = Simulator::new(scene.build());
 /// let start = world.graph().clone();
 /// let task = Task::new("fetch", "Holds(apple)".parse()?);
-/// let episode = Trajectory::record(&EpisodeOptions::seeded(1), &mut OraclePolicy::default(), &task, &mut world);
+/// let episode = Trajectory::record(&EpisodeOptions::seeded(1), &mut PlannerPolicy::oracle(), &task, &mut world);
 /// let again = Trajectory::read_json_lines(&episode.to_json_lines()?)?;
 /// assert_eq!(again, episode);
 /// assert!(again.check(&start).is_empty());
@@ -181,7 +181,7 @@ impl Trajectory {
     ///
     /// ```
     /// use vc_graph::{Draft, SceneBuilder, Simulator};
-    /// use vc_planner::{EpisodeOptions, OraclePolicy, Trajectory};
+    /// use vc_planner::{EpisodeOptions, PlannerPolicy, Trajectory};
     /// use vc_tasks::Task;
     /// let mut scene = SceneBuilder::new("flat");
     /// let kitchen = scene.add(Draft::new("kitchen"))?;
@@ -191,7 +191,7 @@ impl Trajectory {
     /// let mut world = Simulator::new(scene.build());
     /// let start = world.graph().clone();
     /// let task = Task::new("fetch", "Holds(apple)".parse()?);
-    /// let episode = Trajectory::record(&EpisodeOptions::seeded(1), &mut OraclePolicy::default(), &task, &mut world);
+    /// let episode = Trajectory::record(&EpisodeOptions::seeded(1), &mut PlannerPolicy::oracle(), &task, &mut world);
     /// assert_eq!(episode.replay(&start)?.last(), Some(world.graph()));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```

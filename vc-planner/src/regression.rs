@@ -109,17 +109,17 @@ impl<'a> Regression<'a> {
         horizon: Horizon,
         mut pursued: Option<OpenCondition>,
     ) -> Result<Plan, Unreachable> {
-        let mut stretches = Vec::new();
+        let mut conditions = Vec::new();
         loop {
             let ends = self.cut || (horizon == Horizon::NextSubgoal && !self.trail.is_empty());
             let reached = self.knows_all && self.holds(goal);
             let subgoals = if ends || reached { Vec::new() } else { self.view().subgoals(goal)? };
             if let Some(done) = if ends { None } else { self.put_back(goal, &subgoals) } {
-                stretches.push(done);
+                conditions.push(done);
                 continue;
             }
             if ends || reached || (subgoals.is_empty() && !self.knows_all) {
-                return Ok(Plan { actions: self.actions(), stretches, proved: false });
+                return Ok(Plan { actions: self.actions(), conditions, proved: false });
             }
             if subgoals.is_empty() {
                 // The remaining parts came too late, or too early.
@@ -133,10 +133,10 @@ impl<'a> Regression<'a> {
                 let open = subgoals.iter().filter_map(|s| s.options.first()).take(3).map(|w| self.describe(w));
                 return Err(Unreachable::NoPlan(open.collect::<Vec<_>>().join("; ")));
             };
-            stretches.push((condition, self.trail.len() - before));
+            conditions.push((condition, self.trail.len() - before));
             // A look ends the plan: only an observation can tell what is there.
             if condition.is_observation() {
-                return Ok(Plan { actions: self.actions(), stretches, proved: false });
+                return Ok(Plan { actions: self.actions(), conditions, proved: false });
             }
         }
     }

@@ -3,8 +3,8 @@
 use vc_graph::{Event, NodeId, Seed};
 use vc_tasks::{Outcome, Task, World};
 
-use crate::episode::{explained, refusal};
 use crate::policy::{EpisodeStart, Policy};
+use crate::reason::{explained, refusal};
 use crate::{Decision, TeamEpisode, Unreachable};
 
 /// After so many rounds in which nobody does anything it is over.
@@ -46,7 +46,7 @@ pub fn run_together(
     }
     let lost = if rounds < task.step_limit { Outcome::Lost } else { Outcome::TimedOut };
     let outcome = if progress.holds(world) { Outcome::Won } else { lost };
-    TeamEpisode::ended(outcome, (rounds, actions), progress.score(world), reasons)
+    TeamEpisode::ended(outcome, (rounds, actions), reasons, &mut progress, world)
 }
 
 /// The result of a policy's turn.

@@ -1,9 +1,9 @@
 //! Several agents with one goal.
 
-use vc_graph::{Goal, NodeId, Refusal, SceneGraph, Scope};
+use vc_graph::{Goal, NodeId, SceneGraph, Scope};
 use vc_tasks::{GoalProgress, Outcome, Task, World};
 
-use crate::episode::{explained, refusal};
+use crate::reason::{explained, hopeless, loss, refusal};
 use crate::shared::shared;
 use crate::{Agent, Decision, Summary};
 
@@ -62,34 +62,23 @@ impl From<&TeamEpisode> for Summary {
 }
 
 impl TeamEpisode {
-    /// An episode that is lost before it begins: there is no agent, the goal has a name that stands
-    /// for nothing, or somebody who is to act is no agent of the scene.
+    /// An episode that is lost before it begins, if there is a reason for that.
     pub(crate) fn hopeless(ids: &[NodeId], task: &Task, graph: &SceneGraph) -> Option<Self> {
-        let nobody = || ids.is_empty().then(|| "there is no agent to act: the team is empty".to_owned());
-        let no_agent = ids.iter().copied().find(|id| !graph.agents().contains(id));
-        let unknown = |id| graph.node(id).map_or(Refusal::NoSuchThing(id), |n| Refusal::NoAgent(n.label()));
-        let outsider = || no_agent.map(|id| unknown(id).to_string());
-        let misnamed = || task.lost(graph).map(|lost| lost.to_string());
-        let reason = nobody().or_else(misnamed).or_else(outsider)?;
-        Some(Self { outcome: Outcome::Lost, rounds: 0, actions: 0, score: 0.0, reason: Some(reason) })
+        let reason = Some(hopeless(ids, task, graph)?);
+        Some(Self { outcome: Outcome::Lost, rounds: 0, actions: 0, score: 0.0, reason })
     }
 
-    /// An episode that has ended after so many rounds and actions; if the agents stopped, for these reasons.
+    /// An episode that has ended after so many rounds and actions; if agents stopped, for these reasons.
     pub(crate) fn ended(
         outcome: Outcome,
         (rounds, actions): (usize, usize),
-        score: f64,
-        mut reasons: Vec<String>,
+        stopped: Vec<String>,
+        progress: &mut GoalProgress,
+        world: &dyn World,
     ) -> Self {
-        let mut given = std::collections::BTreeSet::new();
-        reasons.retain(|reason| given.insert(reason.clone()));
-        let reason = match outcome {
-            Outcome::Won => None,
-            Outcome::TimedOut => Some("step limit reached".to_owned()),
-            _ if reasons.is_empty() => Some("none of the agents knows what else to do".to_owned()),
-            _ => Some(format!("none of the agents knows what else to do: {}", reasons.join("; "))),
-        };
-        Self { outcome, rounds, actions, score, reason }
+        let idle = || (outcome != Outcome::Won).then(|| "none of the agents knows what else to do".to_owned());
+        let reason = loss(outcome, stopped, progress, world).or_else(idle);
+        Self { outcome, rounds, actions, score: progress.score(world), reason }
     }
 }
 
@@ -134,8 +123,7 @@ impl Team {
         }
         let lost = if rounds < task.step_limit { Outcome::Lost } else { Outcome::TimedOut };
         let outcome = if progress.holds(world) { Outcome::Won } else { lost };
-        reasons.extend(progress.lost(world).map(|lost| lost.to_string()));
-        TeamEpisode::ended(outcome, (rounds, actions), progress.score(world), reasons)
+        TeamEpisode::ended(outcome, (rounds, actions), reasons, &mut progress, world)
     }
 
     /// Everybody looks, tells, and acts once; returns how many did something. `reasons` is told why the others did not.

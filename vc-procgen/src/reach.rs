@@ -56,8 +56,11 @@ impl Reach {
     pub(crate) fn new(plan: &FloorPlan, items: &[Item]) -> Self {
         let hull = plan.hull().grown(MARGIN);
         let (west, south) = (hull.x0, hull.y0);
-        let mut floor = BitGrid::new(hull.width() as usize, hull.depth() as usize);
-        let mut fill = |r: &Rect, value| floor.fill((r.x0 - west, r.x1 - west), (r.y0 - south, r.y1 - south), value);
+        let mut floor = BitGrid::new(hull.width().max(0) as usize, hull.depth().max(0) as usize);
+        let mut fill = |r: &Rect, value| {
+            let (x, y) = from_corner(r, (west, south));
+            floor.fill(x, y, value);
+        };
         for room in &plan.rooms {
             room.net().iter().for_each(|r| fill(r, true));
         }
@@ -75,7 +78,8 @@ impl Reach {
         let free = floor.inverted().dilated(&PERSON).inverted();
         let start = plan.openings.iter().find(|o| o.kind == OpeningKind::Entrance).and_then(|o| {
             let inside = o.before(o.high.is_some(), 2 * BODY as i32 + 6);
-            free.first((inside.x0 - west, inside.x1 - west), (inside.y0 - south, inside.y1 - south))
+            let (x, y) = from_corner(&inside, (west, south));
+            free.first(x, y)
         });
         let standing = start.map_or_else(|| free.empty(), |(x, y)| free.flood(x, y));
         let mut within = Vec::with_capacity(plan.rooms.len());
@@ -83,7 +87,8 @@ impl Reach {
             let mut mask = standing.empty();
             let ways = plan.doors_of(index).map(|o| doorway(plan, o));
             for r in room.net().into_iter().chain(ways) {
-                mask.fill((r.x0 - west, r.x1 - west), (r.y0 - south, r.y1 - south), true);
+                let (x, y) = from_corner(&r, (west, south));
+                mask.fill(x, y, true);
             }
             within.push(mask.and(&standing));
         }
@@ -92,23 +97,28 @@ impl Reach {
 
     /// Whether a person can stand somewhere in a room.
     pub(crate) fn enters(&self, plan: &FloorPlan, room: usize) -> bool {
-        plan.rooms[room]
-            .net()
-            .iter()
-            .any(|r| self.standing.any((r.x0 - self.west, r.x1 - self.west), (r.y0 - self.south, r.y1 - self.south)))
+        plan.rooms[room].net().iter().any(|r| {
+            let (x, y) = from_corner(r, (self.west, self.south));
+            self.standing.any(x, y)
+        })
     }
 
     /// Whether a person in a room, or in one of its doorways, can reach some point of a rectangle.
     pub(crate) fn touches(&self, room: usize, area: &Area) -> bool {
-        let r = outward(area);
-        let (x, y) = ((r.x0 - self.west, r.x1 - self.west), (r.y0 - self.south, r.y1 - self.south));
+        let (x, y) = from_corner(&outward(area), (self.west, self.south));
         self.within[room].first_near(x, y, &REACH).is_some()
     }
 }
 
+/// The columns and rows of a rectangle in a grid whose corner is at a cell. An item may be as far away as it likes.
+fn from_corner(r: &Rect, (west, south): (i32, i32)) -> ((i32, i32), (i32, i32)) {
+    let (x, y) = (|v: i32| v.saturating_sub(west), |v: i32| v.saturating_sub(south));
+    ((x(r.x0), x(r.x1)), (y(r.y0), y(r.y1)))
+}
+
 /// The floor within the wall in an opening.
 pub(crate) fn doorway(plan: &FloorPlan, opening: &crate::plan::PlanOpening) -> Rect {
-    let outer = |room: Option<usize>| room.is_none_or(|r| plan.rooms[r].kind == RoomKind::Balcony);
+    let outer = |room: Option<usize>| plan.kind_of(room).is_none_or(|kind| kind == RoomKind::Balcony);
     let low = if outer(opening.low) { plan.shell } else { 1 };
     let high = if outer(opening.high) { plan.shell } else { 1 };
     opening.across(opening.at - low, opening.at + high)

@@ -1,6 +1,8 @@
 //! The purposes of rooms.
 
 use serde::Serialize;
+use vc_graph::ClassTable;
+use vc_graph::class::Trait;
 
 /// The purpose of a room.
 ///
@@ -78,6 +80,11 @@ impl RoomKind {
 
     /// Whether it has running water and a tiled floor.
     pub(crate) fn is_wet(self) -> bool {
-        matches!(self, Self::Kitchen | Self::Bathroom | Self::Wc | Self::Laundry)
+        is_wet(&ClassTable::builtin(), self.class())
     }
+}
+
+/// Whether rooms of a class have running water and a tiled floor.
+pub(crate) fn is_wet(classes: &ClassTable, room: &str) -> bool {
+    classes.get(room).is_some_and(|class| class.traits.contains(Trait::Wet))
 }

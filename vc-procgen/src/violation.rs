@@ -2,10 +2,12 @@
 
 use std::fmt;
 
+use vc_graph::NodeId;
+
 use crate::room_kind::RoomKind;
 
-/// A violation in an apartment. Items are given by their index in [`Apartment::items`](crate::Apartment::items), rooms
-/// by theirs in the plan.
+/// A violation in an apartment. Items are named as their nodes in [`Apartment::scene`](crate::Apartment::scene), rooms
+/// and openings by their index in the plan.
 ///
 /// ```
 /// use vc_procgen::ApartmentViolation;
@@ -35,20 +37,33 @@ pub enum ApartmentViolation {
     Incomplete(usize, RoomKind, &'static str),
     /// A room is reached only through a bedroom or a bathroom.
     Passage(usize, RoomKind),
+    /// An item, or a door's other side, is in a room that the plan does not have.
+    UnknownRoom(ItemLabel, usize),
+    /// An item rests on an item that does not precede it: on itself, on a later one, or on none. The index is that of
+    /// the support.
+    UnknownSupport(ItemLabel, usize),
+    /// The first item rests on a surface that the second does not have.
+    UnknownSurface(ItemLabel, ItemLabel, usize),
+    /// An opening leads into a room that the plan does not have: the opening, and the room.
+    OpensNowhere(usize, usize),
+    /// A room, an opening or the outer wall reaches farther than 200 m from the plan's origin.
+    TooFar,
 }
 
-/// An item, by index and class.
+/// An item: its class, and its number in the list of items and in the scene. Prints as its node does, `fridge.57`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct ItemLabel {
     /// The index in [`Apartment::items`](crate::Apartment::items).
     pub item: usize,
+    /// The node in [`Apartment::scene`](crate::Apartment::scene).
+    pub node: NodeId,
     /// Its class.
     pub class: &'static str,
 }
 
 impl fmt::Display for ItemLabel {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}.{}", self.class, self.item)
+        write!(f, "{}.{}", self.class, self.node.0)
     }
 }
 
@@ -66,6 +81,17 @@ impl fmt::Display for ApartmentViolation {
             Self::Passage(room, kind) => {
                 write!(f, "the {} (room {room}) is reached only through a private room", kind.title())
             }
+            Self::UnknownRoom(a, room) => write!(f, "{a} is in room {room}, which the plan does not have"),
+            Self::UnknownSupport(a, at) => {
+                write!(f, "{a} rests on item {at}, which does not precede it: list a support before its load")
+            }
+            Self::UnknownSurface(a, b, surface) => {
+                write!(f, "{a} rests on surface {surface} of {b}, which does not have it")
+            }
+            Self::OpensNowhere(opening, room) => {
+                write!(f, "opening {opening} leads into room {room}, which the plan does not have")
+            }
+            Self::TooFar => write!(f, "a part of the plan is farther than 200 m from its origin: move it there"),
         }
     }
 }

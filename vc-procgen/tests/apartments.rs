@@ -13,9 +13,9 @@ use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
 use checker::{Finding, Rule, examine, report};
 use proptest::prelude::*;
 use vc_graph::format::{native, thesis};
-use vc_graph::{ClassTable, Node, SceneGraph, Seed};
+use vc_graph::{ClassTable, Node, Pose, SceneGraph, Seed};
 use vc_procgen::plan::RoomKind;
-use vc_procgen::{Apartment, Specification, SpecificationError};
+use vc_procgen::{Apartment, Specification, SpecificationError, Support};
 
 /// The default number of seeds that the checker examines, and of those that are only counted.
 const EXAMINED: u64 = 12;
@@ -315,4 +315,63 @@ fn extremes_are_met() {
         }
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+/// The first item that rests on another.
+fn carried(home: &Apartment) -> usize {
+    home.items.iter().position(|item| matches!(item.support, Support::On(..))).unwrap()
+}
+
+/// The check of an edited home says which reference is broken, and its scene leaves that relation out.
+#[test]
+fn broken_references_are_reported() {
+    let home = Apartment::from_seed(Seed(7)).unwrap();
+    let (item, rooms) = (carried(&home), home.plan.rooms.len());
+    let Support::On(below, _) = home.items[item].support else { unreachable!() };
+    let label = home.scene().label(home.item_id(item)).to_string();
+    type Edit = Box<dyn Fn(&mut Apartment)>;
+    let supported = |by| -> Edit { Box::new(move |home: &mut Apartment| home.items[item].support = by) };
+    let edits: [(Edit, String); 8] = [
+        (supported(Support::On(item, 0)), format!("{label} rests on item {item}, which does not precede it")),
+        (supported(Support::Inside(99_999, 0)), format!("{label} rests on item 99999")),
+        (supported(Support::On(below, 999)), format!("{label} rests on surface 999 of ")),
+        (
+            Box::new(move |home: &mut Apartment| home.items[below].support = Support::On(item, 0)),
+            format!("rests on item {item}"),
+        ),
+        (Box::new(move |home| home.items[item].room = rooms), format!("{label} is in room {rooms}")),
+        (Box::new(move |home| home.items[item].between = Some(rooms)), format!("{label} is in room {rooms}")),
+        (Box::new(move |home| home.plan.openings[0].low = Some(rooms)), format!("opening 0 leads into room {rooms}")),
+        (Box::new(|home| home.plan.rooms[0].rects[0].x0 = i32::MIN), "farther than 200 m".into()),
+    ];
+    for (edit, told) in edits {
+        let mut edited = home.clone();
+        edit(&mut edited);
+        let found: Vec<String> = edited.check().iter().map(ToString::to_string).collect();
+        assert!(found.iter().any(|text| text.contains(&told)), "{told}: {found:?}");
+    }
+    for support in [Support::On(item, 0), Support::Inside(99_999, 0)] {
+        let mut edited = home.clone();
+        (edited.items[item].support, edited.items[item].room) = (support, rooms);
+        let (scene, id) = (edited.scene(), edited.item_id(item));
+        assert_eq!((scene.len(), scene.room_of(id), scene.place(id)), (home.scene().len(), None, None));
+    }
+}
+
+/// Items may be anywhere and rooms inside out: violations name items as the scene does.
+#[test]
+fn violations_name_the_node() {
+    let home = Apartment::from_seed(Seed(7)).unwrap();
+    let item = carried(&home);
+    let label = home.scene().label(home.item_id(item)).to_string();
+    for far in [50.0, 1e30, -1e30, f32::INFINITY, f32::NAN] {
+        let mut edited = home.clone();
+        edited.items[item].pose = Pose::translation(far, far, far);
+        let found: Vec<String> = edited.check().iter().map(ToString::to_string).collect();
+        assert!(found.iter().any(|text| text.starts_with(&format!("{label} is not within room"))), "{far}: {found:?}");
+    }
+    let mut inverted = home.clone();
+    let rects = inverted.plan.rooms.iter_mut().flat_map(|room| &mut room.rects);
+    rects.for_each(|r| std::mem::swap(&mut r.x0, &mut r.x1));
+    assert!(!inverted.check().is_empty());
 }

@@ -2,6 +2,8 @@
 
 use vc_graph::{Label, NodeId};
 
+use crate::scene::MOST_SURFACES;
+
 /// The reason why nothing was rendered. It names nodes by their numbers; [`named`](Self::named) puts labels in their
 /// place.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -66,15 +68,9 @@ pub enum RenderError<N = NodeId> {
     /// There is no such node in the snapshot, or it has no body.
     #[error("{0} has no body in this snapshot: only nodes with a pose and an asset or a box have one")]
     NoBody(N),
-    /// The node is no agent, so that it sees nothing.
-    #[error("{0} is no agent: only an agent has eyes")]
-    NoAgent(N),
     /// There is no such room in the snapshot, or the graph has no box for it.
     #[error("{0} is not a room of this snapshot, or has no bounding box: ask for one of the graph's rooms")]
     NoRoom(N),
-    /// No camera has this number.
-    #[error("there is no camera {0}: it was never added, or was removed")]
-    NoCamera(u32),
     /// The number of frames differs from the number of shots.
     #[error("{shots} shots need as many frames, but {frames} are given")]
     FrameCount {
@@ -89,6 +85,12 @@ pub enum RenderError<N = NodeId> {
         /// Number of classes in the scene's table.
         classes: usize,
     },
+    /// The renderer has met more different surfaces than it can number.
+    #[error(
+        "the materials make more than {} different surfaces: use fewer, or a new renderer for other scenes",
+        MOST_SURFACES
+    )]
+    TooManySurfaces,
     /// The length of an array does not match its shape.
     #[error("{numbers} numbers do not make an array of shape {shape:?}")]
     BadShape {
@@ -126,11 +128,10 @@ impl<N> RenderError<N> {
             E::OtherRenderer(what) => E::OtherRenderer(what),
             E::BadDaylight(wrong) => E::BadDaylight(wrong),
             E::NoBody(id) => E::NoBody(name(id)),
-            E::NoAgent(id) => E::NoAgent(name(id)),
             E::NoRoom(id) => E::NoRoom(name(id)),
-            E::NoCamera(number) => E::NoCamera(number),
             E::FrameCount { shots, frames } => E::FrameCount { shots, frames },
             E::TooManyClasses { classes } => E::TooManyClasses { classes },
+            E::TooManySurfaces => E::TooManySurfaces,
             E::BadShape { numbers, shape } => E::BadShape { numbers, shape },
             E::Encoding(why) => E::Encoding(why),
         }

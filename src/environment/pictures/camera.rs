@@ -5,7 +5,7 @@ use vc_graph::{Aabb, Anthropometry, Label, NodeId, NodeKind, ObjectRole, Pose, S
 use vc_people::Skeleton;
 use vc_render::{Camera, Frame, Modality, RenderError, Shot};
 
-use super::{CameraId, Lens, Mount};
+use super::{CameraError, CameraId, Lens, Mount, PictureError};
 use crate::Environment;
 
 /// Vertical field of view of eyes and of cameras in rooms unless the options say otherwise, radians.
@@ -80,9 +80,10 @@ impl Environment {
     /// eyes, `Camera::looking` from a corner of a room, `Camera::overhead`, `Camera::resized`.
     ///
     /// # Errors
-    /// [`RenderError::NoAgent`] for the eyes or hands of something else, [`RenderError::NoRoom`] for a view of something
-    /// else than a room, [`RenderError::NoBody`] for an agent or thing without a body, [`RenderError::NoCamera`].
-    pub fn camera(&self, view: Viewpoint, width: u32, height: u32) -> Result<Camera, RenderError<Label>> {
+    /// [`CameraError::NotAnAgent`] for the eyes or hands of something else, [`RenderError::NoRoom`] for a view of
+    /// something else than a room, [`RenderError::NoBody`] for an agent or thing without a body,
+    /// [`CameraError::NoSuchNumber`].
+    pub fn camera(&self, view: Viewpoint, width: u32, height: u32) -> Result<Camera, PictureError> {
         if let Viewpoint::Free(free) = view {
             return Ok(free.resized(width, height));
         }
@@ -91,11 +92,11 @@ impl Environment {
     }
 
     /// The mount and lens of every viewpoint but a free one.
-    fn mount_of(&self, view: Viewpoint) -> Result<(Mount, Lens), RenderError<Label>> {
+    fn mount_of(&self, view: Viewpoint) -> Result<(Mount, Lens), PictureError> {
         match (view, Mount::of(view)) {
             (_, Some(mount)) => Ok((mount, Lens::Options)),
-            (Viewpoint::Camera(id), None) => self.device(id).ok_or(RenderError::NoCamera(id.0)),
-            (_, None) => Err(RenderError::BadCamera("viewpoint is free")),
+            (Viewpoint::Camera(id), None) => Ok(self.device(id).ok_or_else(|| CameraError::unknown(id))?),
+            (_, None) => Err(PictureError::Render(RenderError::BadCamera("viewpoint is free"))),
         }
     }
 
@@ -105,7 +106,7 @@ impl Environment {
     }
 
     /// A camera straight above a room.
-    pub(super) fn above(&self, room: NodeId, lens: Camera) -> Result<Camera, RenderError<Label>> {
+    pub(super) fn above(&self, room: NodeId, lens: Camera) -> Result<Camera, PictureError> {
         let aabb = self.bounds_of(room)?;
         Ok(above(lens, aabb.min, aabb.max))
     }
@@ -134,7 +135,7 @@ impl Environment {
     }
 
     /// A camera in the corner of a room from which most things in it are seen as the home begins.
-    pub(super) fn corner(&self, room: NodeId, camera: Camera) -> Result<Camera, RenderError<Label>> {
+    pub(super) fn corner(&self, room: NodeId, camera: Camera) -> Result<Camera, PictureError> {
         let places = self.places(room, camera)?;
         // A thread that panicked left nothing half done here. The lock is not held while pictures are made.
         let known = || self.picture_cache().corners.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
@@ -155,7 +156,7 @@ impl Environment {
 
     /// A camera in a corner of a room, or in the middle of a wall, from which an agent is seen best as the home is now:
     /// all of it, large enough, and much of the room around it.
-    pub(crate) fn witness(&self, agent: NodeId, room: NodeId, size: (u32, u32)) -> Result<Camera, RenderError<Label>> {
+    pub(crate) fn witness(&self, agent: NodeId, room: NodeId, size: (u32, u32)) -> Result<Camera, PictureError> {
         let places = self.places(room, Camera::with_fov(size.0, size.1, FIELD))?;
         let mut scores = Vec::new();
         for camera in &places {

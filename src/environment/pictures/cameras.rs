@@ -5,6 +5,7 @@ use std::fmt;
 
 use serde::{Deserialize, Serialize};
 use vc_graph::{Label, did_you_mean};
+use vc_render::RenderError;
 
 use super::{Lens, Mount, Named, Register, Viewpoint};
 use crate::Environment;
@@ -120,6 +121,31 @@ pub enum CameraError {
     /// A text that lists no cameras.
     #[error("this is no list of cameras: {0}")]
     NotAList(String),
+}
+
+impl CameraError {
+    /// The error for a number that no camera has.
+    pub(super) fn unknown(camera: CameraId) -> Self {
+        Self::NoSuchNumber { kind: NamedCamera::KIND, number: camera.0 }
+    }
+}
+
+/// The reason why there is no picture.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum PictureError {
+    /// There is no such camera.
+    #[error(transparent)]
+    Camera(#[from] CameraError),
+    /// The renderer cannot make it.
+    #[error(transparent)]
+    Render(#[from] RenderError<Label>),
+}
+
+impl From<RenderError> for PictureError {
+    fn from(error: RenderError) -> Self {
+        Self::Render(error.into())
+    }
 }
 
 /// The cameras that were added to an environment.
@@ -258,7 +284,7 @@ impl Environment {
     pub fn remove_camera(&mut self, id: CameraId) -> Result<NamedCamera, CameraError> {
         self.check_own(id)?;
         let removed = std::sync::Arc::make_mut(&mut self.cameras).0.remove(id.0);
-        removed.ok_or(CameraError::NoSuchNumber { kind: NamedCamera::KIND, number: id.0 })
+        removed.ok_or_else(|| CameraError::unknown(id))
     }
 
     /// The cameras that were added as a JSON list, for [`add_cameras`](Self::add_cameras) in this or another environment.

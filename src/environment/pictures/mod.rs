@@ -21,7 +21,7 @@ use vc_render::{Coat, Frame, Lighting, Modalities, Modality, RayCaster, RenderEr
 pub use self::camera::Viewpoint;
 pub(crate) use self::camera::{GLANCE, sight_of};
 pub(in crate::environment) use self::cameras::Cameras;
-pub use self::cameras::{CameraError, CameraId, NamedCamera};
+pub use self::cameras::{CameraError, CameraId, NamedCamera, PictureError};
 pub use self::lens::Lens;
 use self::light::{Lit, lit, switch};
 pub use self::mount::Mount;
@@ -86,7 +86,7 @@ impl Environment {
     /// Optical flow needs a second moment: see [`render_until`](Self::render_until).
     ///
     /// # Errors
-    /// [`RenderError`]: a bad size, no such node, or flow, for which there is no second
+    /// [`PictureError`]: no such viewpoint, a bad size, no such node, or flow, for which there is no second
     /// moment.
     pub fn render(
         &self,
@@ -94,7 +94,7 @@ impl Environment {
         wanted: impl Into<Modalities>,
         width: u32,
         height: u32,
-    ) -> Result<Frame, RenderError<Label>> {
+    ) -> Result<Frame, PictureError> {
         self.picture(&self.pictures, None, (view, wanted.into()), (width, height))
     }
 
@@ -118,7 +118,7 @@ impl Environment {
         wanted: impl Into<Modalities>,
         width: u32,
         height: u32,
-    ) -> Result<Frame, RenderError<Label>> {
+    ) -> Result<Frame, PictureError> {
         let anew = |now: &Snapshot| Ok(self.base()?.renderer.light(now, &self.pictures.daylight));
         self.picture_lit(&self.pictures, None, (view, wanted.into()), (width, height), anew)
     }
@@ -136,7 +136,7 @@ impl Environment {
         wanted: impl Into<Modalities>,
         width: u32,
         height: u32,
-    ) -> Result<Frame, RenderError<Label>> {
+    ) -> Result<Frame, PictureError> {
         self.picture(&self.pictures, Some(later), (view, wanted.into()), (width, height))
     }
 
@@ -147,7 +147,7 @@ impl Environment {
         later: Option<&Self>,
         what: (Viewpoint, Modalities),
         size: (u32, u32),
-    ) -> Result<Frame, RenderError<Label>> {
+    ) -> Result<Frame, PictureError> {
         self.picture_lit(how, later, what, size, |now| self.lighting(&how.daylight, now))
     }
 
@@ -158,9 +158,12 @@ impl Environment {
         (view, wanted): (Viewpoint, Modalities),
         (width, height): (u32, u32),
         light: impl Fn(&Snapshot) -> Result<Lighting, RenderError<Label>> + Send,
-    ) -> Result<Frame, RenderError<Label>> {
+    ) -> Result<Frame, PictureError> {
         let drawn = self.threads.run(|| self.drawn(how, later, (view, wanted), (width, height), light));
-        drawn.map_err(|e| self.named(e))
+        drawn.map_err(|error| match error {
+            PictureError::Render(error) => self.named(error).into(),
+            other => other,
+        })
     }
 
     fn drawn(
@@ -170,11 +173,10 @@ impl Environment {
         (view, wanted): (Viewpoint, Modalities),
         (width, height): (u32, u32),
         light: impl Fn(&Snapshot) -> Result<Lighting, RenderError<Label>>,
-    ) -> Result<Frame, RenderError<Label>> {
+    ) -> Result<Frame, PictureError> {
         let base = self.base()?;
         let (snapshot, camera) = (self.snapshot()?, self.camera(view, width, height)?);
-        let then =
-            later.map(|l| Ok::<_, RenderError<Label>>((l.snapshot()?, l.camera(view, width, height)?))).transpose()?;
+        let then = later.map(|l| Ok::<_, PictureError>((l.snapshot()?, l.camera(view, width, height)?))).transpose()?;
         let lighting = if wanted.has(Modality::Rgb) { Some(light(&snapshot)?) } else { None };
         let lighting = lighting.map(|light| if self.is_plan(view) { light.equalized(EVEN) } else { light });
         let mut shot = Shot::new(&snapshot, &camera, wanted).supersampled(how.finer);

@@ -3,12 +3,12 @@
 use nalgebra::{Point3, Translation3, UnitQuaternion, Vector3};
 use serde::{Deserialize, Serialize};
 use vc_graph::portable::Portable;
-use vc_graph::{Label, NodeId, Pose};
+use vc_graph::{NodeId, Pose};
 use vc_people::{BodySide, Bone, Skeleton, palm};
 use vc_physics::Hand;
 use vc_render::{Camera, RenderError};
 
-use super::{CameraError, Viewpoint};
+use super::{CameraError, PictureError, Viewpoint};
 use crate::Environment;
 
 /// Near plane of cameras on bodies, metres: closer than it is what they are fastened to.
@@ -163,7 +163,7 @@ impl Environment {
     }
 
     /// A camera on a mount.
-    pub(crate) fn mounted(&self, mount: &Mount, lens: Camera) -> Result<Camera, RenderError<Label>> {
+    pub(crate) fn mounted(&self, mount: &Mount, lens: Camera) -> Result<Camera, PictureError> {
         match *mount {
             Mount::Fixed(pose) => Ok(lens.mounted(&pose)),
             Mount::Head { agent, offset } => self.on_body(agent, lens, |s| self.eyes(s) * offset),
@@ -181,32 +181,22 @@ impl Environment {
     }
 
     /// An agent's pose and skeleton.
-    fn figure(&self, agent: NodeId) -> Result<(Pose, Skeleton), RenderError<Label>> {
+    fn figure(&self, agent: NodeId) -> Result<(Pose, Skeleton), PictureError> {
         let label = || self.graph().label(agent);
         if !self.graph().agents().contains(&agent) {
-            return Err(RenderError::NoAgent(label()));
+            return Err(CameraError::NotAnAgent(label()).into());
         }
         let pose = self.graph().node(agent).and_then(|n| n.pose());
-        pose.copied().zip(self.skeleton(agent)).ok_or_else(|| RenderError::NoBody(label()))
+        Ok(pose.copied().zip(self.skeleton(agent)).ok_or_else(|| RenderError::NoBody(label()))?)
     }
 
-    fn on_body(
-        &self,
-        agent: NodeId,
-        lens: Camera,
-        at: impl Fn(&Skeleton) -> Pose,
-    ) -> Result<Camera, RenderError<Label>> {
+    fn on_body(&self, agent: NodeId, lens: Camera, at: impl Fn(&Skeleton) -> Pose) -> Result<Camera, PictureError> {
         let (feet, skeleton) = self.figure(agent)?;
         Ok(Camera { near: NEAR, ..lens.mounted(&(feet * at(&skeleton))) })
     }
 
     /// A camera behind somebody, as far as there is room.
-    fn following(
-        &self,
-        agent: NodeId,
-        (behind, above): (f32, f32),
-        lens: Camera,
-    ) -> Result<Camera, RenderError<Label>> {
+    fn following(&self, agent: NodeId, (behind, above): (f32, f32), lens: Camera) -> Result<Camera, PictureError> {
         let (feet, skeleton) = self.figure(agent)?;
         let shoulders = feet * (skeleton.motion(Bone::Head) * Bone::Head.anchor());
         let past: Vec<NodeId> = std::iter::once(agent).chain(self.graph().held(agent)).collect();

@@ -3,7 +3,7 @@
 use nalgebra::{Point3, Vector3};
 use virtualcity::graph::{Action, NodeId, Pose, Property, Relation, Verb};
 use virtualcity::physics::Hand;
-use virtualcity::render::{Frame, Modality, RenderError};
+use virtualcity::render::{Frame, Modality};
 use virtualcity::{CameraError, CameraId, Environment, Lens, Mount, NamedCamera, SaveError, Viewpoint};
 
 use super::{act, home};
@@ -38,7 +38,7 @@ fn cameras_have_numbers_and_names() {
     assert_eq!(home.remove_camera(first).unwrap().name, "one");
     assert_eq!(
         home.render(Viewpoint::Camera(first), Modality::Depth, 8, 8).err(),
-        Some(RenderError::NoCamera(first.0))
+        Some(CameraError::NoSuchNumber { kind: "camera", number: first.0 }.into())
     );
     let third = home.add_camera("one", Mount::Overhead, Lens::Options).unwrap();
     assert_eq!(third.0, second.0 + 1, "numbers are not given again");

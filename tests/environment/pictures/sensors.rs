@@ -3,7 +3,7 @@
 use nalgebra::{Point3, Vector3};
 use virtualcity::graph::{NodeId, Place, Pose, Relation, Verb};
 use virtualcity::physics::Hand;
-use virtualcity::render::{Modality, NOTHING, RenderError};
+use virtualcity::render::{Modality, NOTHING};
 use virtualcity::sensors::{
     DepthNoise, Fisheye, Lidar, LidarScan, NoisyDepth, Reading, Sensor, SensorError, SensorId, SensorView,
 };
@@ -266,6 +266,6 @@ fn sensors_of_ones_own_are_sensors() {
     assert_eq!(values, [room.0 as f32]);
     assert_eq!(home.sense(outside).unwrap_err(), SensorError::Own("it hangs in no room".into()));
     assert_eq!(home.sense_all().unwrap_err(), SensorError::Own("it hangs in no room".into()));
-    let error: SensorError = RenderError::NoCamera(3).into();
+    let error: SensorError = CameraError::NoSuchNumber { kind: "camera", number: 3 }.into();
     assert!(error.to_string().contains("no camera 3"));
 }

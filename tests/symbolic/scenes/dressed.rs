@@ -3,7 +3,10 @@
 use nalgebra::{Point2, Point3, Vector2, Vector3};
 use vc_graph::asset::{Hold, JointKind};
 use vc_graph::format::thesis;
-use vc_graph::{Aabb, Asset, ClassTable, Node, NodeKind, Property, SceneGraph};
+use vc_graph::{
+    Aabb, Asset, Bounds, BoundsFrame, ClassTable, Draft, Node, NodeId, NodeKind, Pose, Property, SceneBuilder,
+    SceneGraph,
+};
 use vc_procgen::{Apartment, dress};
 use vc_shapes::object;
 
@@ -300,4 +303,36 @@ fn doors_of_furniture_open_into_no_wall() {
     if checked == 0 {
         eprintln!("SKIPPED: no scene is there");
     }
+}
+
+/// A kitchen with base cabinets of a width, metres, one behind the other, and a dishwasher within the first.
+fn kitchen(width: f32, cabinets: usize) -> (SceneGraph, Vec<NodeId>) {
+    let mut scene = SceneBuilder::new("kitchen");
+    let room = scene.add(Draft::new("kitchen")).unwrap();
+    let boxed = |class: &str, size: [f32; 3], x: f32| {
+        let bounds = Bounds { frame: BoundsFrame::World, ..Bounds::standing(size.into()) };
+        Draft::new(class).at(Pose::translation(x, 0.0, 0.0)).bounds(bounds)
+    };
+    let mut add = |draft| scene.add_in(room, draft).unwrap();
+    let rows = (0..cabinets).map(|i| add(boxed("kitchen_cabinet", [0.6, width, 0.9], 2.0 * i as f32))).collect();
+    add(boxed("dishwasher", [0.58, 0.6, 0.85], 0.0));
+    (dressed(&scene.build()), rows)
+}
+
+#[test]
+fn a_cabinet_leaves_room_for_its_own_appliance_alone() {
+    let (looks, rows) = kitchen(2.4, 3);
+    let shapes: Vec<_> = rows.iter().map(|row| looks.node(*row).unwrap().spec().asset).collect();
+    assert!(shapes[0] != shapes[1], "only the first has a dishwasher in it");
+    assert_eq!(shapes[1], shapes[2]);
+}
+
+#[test]
+fn a_row_has_no_more_units_than_a_home_has_room_for() {
+    let (looks, rows) = kitchen(200.0, 1);
+    let made = asset(&looks, looks.node(rows[0]).unwrap());
+    let unit = |name: &str| name.rsplit_once('_').and_then(|(_, number)| number.parse::<usize>().ok()).unwrap();
+    let most = made.parts.iter().map(|part| unit(&part.name)).max().unwrap();
+    // Two stretches of at most 64 units, and the worktop between them.
+    assert!((100..=129).contains(&most), "{most}");
 }

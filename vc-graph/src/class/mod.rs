@@ -117,6 +117,8 @@ vocabulary! {
         Squeezable = "squeezable",
         /// It is mounted flat on a wall, a window or a ceiling, or let into it.
         Flat = "flat",
+        /// A room with running water, and so with a tiled floor.
+        Wet = "wet",
     }
 }
 

@@ -111,7 +111,7 @@ impl Agent {
         let intent = (self.pursued, self.planner.tidy());
         let events = self.history.events().get(self.since()..).unwrap_or_default();
         let plan = plan_in_belief(&mut self.belief, self.id, &self.goal, events, self.horizon, intent);
-        self.pursued = plan.as_ref().ok().and_then(|p| p.stretches.first()).map(|(condition, _)| *condition);
+        self.pursued = plan.as_ref().ok().and_then(|p| p.conditions.first()).map(|(condition, _)| *condition);
         match plan {
             Ok(plan) => match plan.actions.first() {
                 Some(&action) => Decision::Act(action, plan),

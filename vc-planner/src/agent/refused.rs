@@ -35,12 +35,12 @@ struct Refusal {
 }
 
 impl Refused {
-    fn of(&self, action: &Action) -> Option<&Refusal> {
+    fn last(&self, action: &Action) -> Option<&Refusal> {
         self.all.iter().find(|refusal| refusal.action == *action)
     }
 
     fn times(&self, action: &Action) -> usize {
-        self.of(action).map_or(0, |refusal| refusal.times)
+        self.last(action).map_or(0, |refusal| refusal.times)
     }
 
     pub(super) fn note(&mut self, action: &Action) {
@@ -105,7 +105,7 @@ impl Agent {
 
     /// Whether an action was refused and nothing has changed since, or was refused too often.
     fn is_vain(&self, action: &Action) -> bool {
-        let refusal = self.refused.of(action);
+        let refusal = self.refused.last(action);
         refusal.is_some_and(|refusal| refusal.times >= MOST || refusal.changes == self.refused.changes)
     }
 

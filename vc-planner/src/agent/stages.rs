@@ -23,7 +23,7 @@ impl Agent {
         for _ in 0..STAGES {
             let knows_all = self.belief.knows_all();
             let now = Situation { graph: self.belief.graph(), agent: self.id, events: self.history.events() };
-            let aim = match agenda.aim(&Moment::of(now, self.belief.known(), knows_all)) {
+            let aim = match agenda.aim(&Moment::new(now, self.belief.known(), knows_all)) {
                 Ok(aim) => aim,
                 Err(broken) => return Decision::GiveUp(broken),
             };

@@ -9,7 +9,7 @@ use vc_tasks::{Task, WorldError};
 
 use crate::{Belief, Decision, Learned};
 
-pub use planning::{OraclePolicy, PlannerPolicy};
+pub use planning::PlannerPolicy;
 pub use random::{RandomPolicy, objects_of_interest};
 pub use scripted::ScriptedPolicy;
 
@@ -46,7 +46,7 @@ pub enum RefusalResponse {
 ///
 /// ```
 /// use vc_graph::{Draft, SceneBuilder, Simulator};
-/// use vc_planner::{Policy, RandomPolicy, OraclePolicy, PlannerPolicy, run_episode};
+/// use vc_planner::{Policy, RandomPolicy, PlannerPolicy, run_episode};
 /// use vc_tasks::{Outcome, Task};
 /// let mut scene = SceneBuilder::new("flat");
 /// let kitchen = scene.add(Draft::new("kitchen"))?;
@@ -55,7 +55,7 @@ pub enum RefusalResponse {
 /// scene.add_in(kitchen, Draft::new("character"))?;
 /// let task = Task::new("milk", "Holds(milk)".parse()?);
 /// let graph = scene.build();
-/// let policies: [&mut dyn Policy; 3] = [&mut PlannerPolicy::best(), &mut OraclePolicy::default(), &mut RandomPolicy::default()];
+/// let policies: [&mut dyn Policy; 3] = [&mut PlannerPolicy::best(), &mut PlannerPolicy::oracle(), &mut RandomPolicy::default()];
 /// for policy in policies {
 ///     let episode = run_episode(policy, &task, &mut Simulator::new(graph.clone()));
 ///     assert_eq!(episode.outcome, Outcome::Won, "{}", policy.name());

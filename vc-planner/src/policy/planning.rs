@@ -1,4 +1,4 @@
-//! Planners as policies: with a belief, and the oracle.
+//! Planners as policies: with a belief, or as an oracle.
 
 use vc_graph::{Action, NodeId, Observation, Scope, Verb};
 use vc_tasks::WorldError;
@@ -9,20 +9,123 @@ use crate::{Agent, Belief, Decision, Horizon, Learned, Manners, Prior, SearchLim
 /// After so many refusals in a row a planner stops.
 const REFUSALS: usize = 8;
 
-/// A planner as a policy: an [`Agent`] made anew for each episode.
+/// The knowledge of the home that a planner has from the beginning.
 #[derive(Debug, Clone)]
-struct Planning {
+enum Knowledge {
+    /// The rooms.
+    Rooms,
+    /// The furniture and which things there are, too; it supposes where they are.
+    Things(Prior),
+    /// The same, as the thesis's agent, which pursues one subgoal after the other.
+    Thesis,
+    /// Everything.
+    All,
+}
+
+/// A planner as a policy: an [`Agent`] made anew for each episode. It searches the home for the things that its goal
+/// is about, or knows where they are: the [oracle](Self::oracle).
+#[derive(Debug, Clone)]
+pub struct PlannerPolicy {
+    name: &'static str,
+    knowledge: Knowledge,
+    manners: Manners,
     agent: Option<Agent>,
     refusals: usize,
     /// The action that was refused last.
     failed: Option<Action>,
 }
 
-impl Planning {
-    const NEW: Self = Self { agent: None, refusals: 0, failed: None };
+impl PlannerPolicy {
+    fn new(name: &'static str, knowledge: Knowledge) -> Self {
+        Self { name, knowledge, manners: Manners::GoalOnly, agent: None, refusals: 0, failed: None }
+    }
 
-    fn begin(&mut self, agent: Agent) {
-        *self = Self { agent: Some(agent), refusals: 0, failed: None };
+    /// The best planner: things are where people keep them, the search step that is most
+    /// worth it first, two hands.
+    ///
+    /// ```
+    /// use vc_graph::{Draft, SceneBuilder, Simulator};
+    /// use vc_planner::{PlannerPolicy, run_episode};
+    /// use vc_tasks::{Outcome, Task};
+    /// let mut scene = SceneBuilder::new("flat");
+    /// let kitchen = scene.add(Draft::new("kitchen"))?;
+    /// let table = scene.add_in(kitchen, Draft::new("kitchen_table"))?;
+    /// let apple = scene.add_on(table, Draft::new("apple"))?;
+    /// let me = scene.add_in(kitchen, Draft::new("character"))?;
+    /// let mut world = Simulator::new(scene.build());
+    /// let task = Task::new("fetch", "Holds(apple)".parse()?);
+    /// assert_eq!(run_episode(&mut PlannerPolicy::best(), &task, &mut world).outcome, Outcome::Won);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn best() -> Self {
+        Self::new("planner", Knowledge::Things(Prior::Kept))
+    }
+
+    /// The best planner, in a home of which it knows the rooms and no more: the furniture, and
+    /// which things there are, it learns by walking in.
+    ///
+    /// ```
+    /// use vc_planner::{Policy, PlannerPolicy};
+    /// assert_eq!(PlannerPolicy::in_unknown_home().name(), "unknown home");
+    /// ```
+    pub fn in_unknown_home() -> Self {
+        Self::new("unknown home", Knowledge::Rooms)
+    }
+
+    /// The thesis's planner: a uniform sample, one subgoal after the other.
+    pub fn faithful() -> Self {
+        Self::new("faithful", Knowledge::Thesis)
+    }
+
+    /// The oracle: it knows everything and sees everything. Others are measured by its plans.
+    ///
+    /// ```
+    /// use vc_planner::{PlannerPolicy, Policy};
+    /// assert_eq!(PlannerPolicy::oracle().name(), "oracle");
+    /// ```
+    pub fn oracle() -> Self {
+        Self::new("oracle", Knowledge::All)
+    }
+
+    /// A planner in a known home, with another supposition about where things are.
+    #[must_use]
+    pub fn with_prior(self, prior: Prior) -> Self {
+        Self { knowledge: Knowledge::Things(prior), ..self }
+    }
+
+    /// The name in tables.
+    #[must_use]
+    pub fn named(self, name: &'static str) -> Self {
+        Self { name, ..self }
+    }
+
+    /// How it leaves the home.
+    #[must_use]
+    pub fn with_manners(self, manners: Manners) -> Self {
+        Self { manners, ..self }
+    }
+}
+
+impl Policy for PlannerPolicy {
+    fn name(&self) -> &str {
+        self.name
+    }
+
+    fn scope(&self) -> Scope {
+        if matches!(self.knowledge, Knowledge::All) { Scope::Whole } else { Scope::Room }
+    }
+
+    fn begin(&mut self, start: &EpisodeStart<'_>) {
+        let (scene, id, goal, seed) = (start.scene, start.agent, start.task.goal.clone(), start.seed.0);
+        let agent = match &self.knowledge {
+            Knowledge::Rooms => Agent::in_unknown_home(scene, id, goal, seed),
+            Knowledge::Things(prior) => Agent::with_prior(scene, id, goal, seed, prior.clone()),
+            Knowledge::Thesis => Agent::faithful(scene, id, goal, seed),
+            Knowledge::All => {
+                Agent::oracle(scene, id, goal).planning(Horizon::Goal).with_limits(SearchLimits::THOROUGH)
+            }
+        };
+        (self.agent, self.refusals, self.failed) = (Some(agent.with_manners(self.manners)), 0, None);
     }
 
     fn see(&mut self, seen: &Observation) -> Learned {
@@ -58,161 +161,12 @@ impl Planning {
         self.failed = Some(*action);
         if self.refusals < REFUSALS { RefusalResponse::GoOn } else { RefusalResponse::Stop }
     }
-}
 
-macro_rules! plans {
-    () => {
-        fn see(&mut self, seen: &Observation) -> Learned {
-            self.planning.see(seen)
-        }
-
-        fn decide(&mut self) -> Decision {
-            self.planning.decide()
-        }
-
-        fn did(&mut self, action: &Action) {
-            self.planning.did(action);
-        }
-
-        fn refused(&mut self, action: &Action, why: &WorldError) -> RefusalResponse {
-            self.planning.refused(action, why)
-        }
-
-        fn belief(&self) -> Option<&Belief> {
-            self.planning.agent.as_ref().map(Agent::belief)
-        }
-
-        fn guesses(&self) -> Vec<(NodeId, Option<vc_graph::Place>)> {
-            self.planning.agent.as_ref().map_or_else(Vec::new, Agent::guesses)
-        }
-    };
-}
-
-/// A planner with a belief: it searches the home for the things that its goal is about.
-#[derive(Debug, Clone)]
-pub struct PlannerPolicy {
-    name: &'static str,
-    planning: Planning,
-    /// The prior about where things are; `None` for the thesis's agent.
-    prior: Option<Prior>,
-    /// It knows from the beginning what furniture and which things there are.
-    knows_home: bool,
-    manners: Manners,
-}
-
-impl PlannerPolicy {
-    /// The best planner: things are where people keep them, the search step that is most
-    /// worth it first, two hands.
-    ///
-    /// ```
-    /// use vc_graph::{Draft, SceneBuilder, Simulator};
-    /// use vc_planner::{PlannerPolicy, run_episode};
-    /// use vc_tasks::{Outcome, Task};
-    /// let mut scene = SceneBuilder::new("flat");
-    /// let kitchen = scene.add(Draft::new("kitchen"))?;
-    /// let table = scene.add_in(kitchen, Draft::new("kitchen_table"))?;
-    /// let apple = scene.add_on(table, Draft::new("apple"))?;
-    /// let me = scene.add_in(kitchen, Draft::new("character"))?;
-    /// let mut world = Simulator::new(scene.build());
-    /// let task = Task::new("fetch", "Holds(apple)".parse()?);
-    /// assert_eq!(run_episode(&mut PlannerPolicy::best(), &task, &mut world).outcome, Outcome::Won);
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    pub fn best() -> Self {
-        let prior = Some(Prior::Kept);
-        Self { name: "planner", planning: Planning::NEW, prior, knows_home: true, manners: Manners::GoalOnly }
+    fn belief(&self) -> Option<&Belief> {
+        self.agent.as_ref().map(Agent::belief)
     }
 
-    /// The best planner, in a home of which it knows the rooms and no more: the furniture, and
-    /// which things there are, it learns by walking in.
-    ///
-    /// ```
-    /// use vc_planner::{Policy, PlannerPolicy};
-    /// let policy = PlannerPolicy::in_unknown_home().named("unknown home");
-    /// assert_eq!(policy.name(), "unknown home");
-    /// ```
-    pub fn in_unknown_home() -> Self {
-        Self { name: "stranger", knows_home: false, ..Self::best() }
+    fn guesses(&self) -> Vec<(NodeId, Option<vc_graph::Place>)> {
+        self.agent.as_ref().map_or_else(Vec::new, Agent::guesses)
     }
-
-    /// The thesis's planner: a uniform sample, one subgoal after the other.
-    pub fn faithful() -> Self {
-        Self { name: "faithful", prior: None, ..Self::best() }
-    }
-
-    /// The best planner, with another supposition about where things are.
-    #[must_use]
-    pub fn with_prior(self, prior: Prior) -> Self {
-        Self { prior: Some(prior), ..self }
-    }
-
-    /// The name in tables.
-    #[must_use]
-    pub fn named(self, name: &'static str) -> Self {
-        Self { name, ..self }
-    }
-
-    /// How it leaves the home.
-    #[must_use]
-    pub fn with_manners(self, manners: Manners) -> Self {
-        Self { manners, ..self }
-    }
-}
-
-impl Policy for PlannerPolicy {
-    fn name(&self) -> &str {
-        self.name
-    }
-
-    fn begin(&mut self, start: &EpisodeStart<'_>) {
-        let EpisodeStart { scene, agent, task, seed } = *start;
-        let agent = match &self.prior {
-            _ if !self.knows_home => Agent::in_unknown_home(scene, agent, task.goal.clone(), seed.0),
-            None => Agent::faithful(scene, agent, task.goal.clone(), seed.0),
-            Some(prior) => Agent::with_prior(scene, agent, task.goal.clone(), seed.0, prior.clone()),
-        };
-        self.planning.begin(agent.with_manners(self.manners));
-    }
-
-    plans!();
-}
-
-/// The oracle: it knows everything and sees everything.
-#[derive(Debug, Clone)]
-pub struct OraclePolicy {
-    planning: Planning,
-    manners: Manners,
-}
-
-impl Default for OraclePolicy {
-    fn default() -> Self {
-        Self { planning: Planning::NEW, manners: Manners::GoalOnly }
-    }
-}
-
-impl OraclePolicy {
-    /// How it leaves the home.
-    #[must_use]
-    pub fn with_manners(self, manners: Manners) -> Self {
-        Self { manners, ..self }
-    }
-}
-
-impl Policy for OraclePolicy {
-    fn name(&self) -> &str {
-        "oracle"
-    }
-
-    fn scope(&self) -> Scope {
-        Scope::Whole
-    }
-
-    fn begin(&mut self, start: &EpisodeStart<'_>) {
-        let agent = Agent::oracle(start.scene, start.agent, start.task.goal.clone());
-        // Others are measured by its plans.
-        self.planning
-            .begin(agent.planning(Horizon::Goal).with_limits(SearchLimits::THOROUGH).with_manners(self.manners));
-    }
-
-    plans!();
 }

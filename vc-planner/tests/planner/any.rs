@@ -11,7 +11,7 @@ use vc_graph::{
     Action, ChangeSet, Draft, Event, Goal, History, NodeId, NodeKind, Property, PropertySet, SceneBuilder, SceneGraph,
     Seed, Simulator, State, Stream, Verb, Word,
 };
-use vc_planner::{EpisodeOptions, OraclePolicy, PlannerPolicy, Policy, Unreachable, plan};
+use vc_planner::{EpisodeOptions, PlannerPolicy, Policy, Unreachable, plan};
 use vc_tasks::{Outcome, Task, World, WorldError};
 use vc_testkit::amount;
 
@@ -183,7 +183,7 @@ fn no_goal_makes_an_agent_loop() {
         for policy in [
             &mut PlannerPolicy::best() as &mut dyn Policy,
             &mut PlannerPolicy::faithful(),
-            &mut OraclePolicy::default(),
+            &mut PlannerPolicy::oracle(),
         ] {
             let episode =
                 EpisodeOptions::seeded(seed).episode(policy, &task, &mut Simulator::new(scene.clone()), &mut |_| {});
@@ -230,7 +230,7 @@ fn no_world_makes_an_agent_loop() {
             for policy in [
                 &mut PlannerPolicy::best() as &mut dyn Policy,
                 &mut PlannerPolicy::faithful(),
-                &mut OraclePolicy::default(),
+                &mut PlannerPolicy::oracle(),
             ] {
                 // The same things at other places.
                 let homes = (0..homes).map(|i| home(1_000 + seed + i)).collect();
@@ -357,7 +357,7 @@ fn what_is_both_on_and_inside_is_got_out_of_what_it_is_inside() {
                 ] {
                     let task = Task::new("contradiction", text.parse().unwrap());
                     // A policy that does not know the place of the pot can only search one of its two rooms.
-                    let mut policies: Vec<Box<dyn Policy>> = vec![Box::new(OraclePolicy::default())];
+                    let mut policies: Vec<Box<dyn Policy>> = vec![Box::new(PlannerPolicy::oracle())];
                     if !apart {
                         policies.extend([
                             Box::new(PlannerPolicy::best()) as Box<dyn Policy>,

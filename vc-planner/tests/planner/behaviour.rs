@@ -9,7 +9,7 @@ mod time;
 use homes::{GOALS, home};
 use vc_graph::goal::Situation;
 use vc_graph::{Action, Draft, Goal, History, NodeId, SceneBuilder, SceneGraph, Scope, Simulator, Verb};
-use vc_planner::{Agent, Decision, EpisodeOptions, OraclePolicy, PlannerPolicy, Policy, Step, plan, run_episode};
+use vc_planner::{Agent, Decision, EpisodeOptions, PlannerPolicy, Policy, Step, plan, run_episode};
 use vc_tasks::{Outcome, Task};
 
 #[test]
@@ -20,7 +20,7 @@ fn a_step_limit_is_told_apart_from_what_cannot_be() {
         run_episode(policy, &task, &mut Simulator::new(scene.clone()))
     };
     for policy in
-        [&mut OraclePolicy::default() as &mut dyn Policy, &mut PlannerPolicy::best(), &mut PlannerPolicy::faithful()]
+        [&mut PlannerPolicy::oracle() as &mut dyn Policy, &mut PlannerPolicy::best(), &mut PlannerPolicy::faithful()]
     {
         let late = attempt(policy, GOALS[1], 2);
         assert_eq!((late.outcome, late.steps), (Outcome::TimedOut, 2), "{}: {late:?}", policy.name());
@@ -104,7 +104,7 @@ fn taught(before: &Step, after: &Step) -> bool {
 #[test]
 fn no_walk_is_in_vain() {
     let (mut walks, mut vain) = (0, Vec::new());
-    for (name, _, steps) in episodes(&mut [&mut PlannerPolicy::best(), &mut OraclePolicy::default()]) {
+    for (name, _, steps) in episodes(&mut [&mut PlannerPolicy::best(), &mut PlannerPolicy::oracle()]) {
         for pair in steps.windows(2).filter(|w| w[0].action.verb == Verb::Walk && w[1].action.verb == Verb::Walk) {
             walks += 1;
             if !taught(&pair[0], &pair[1]) {
@@ -121,7 +121,7 @@ fn no_walk_is_in_vain() {
 #[test]
 fn what_is_known_is_walked_up_to() {
     let (mut rooms, mut vain) = (0, Vec::new());
-    for (name, scene, steps) in episodes(&mut [&mut PlannerPolicy::best(), &mut OraclePolicy::default()]) {
+    for (name, scene, steps) in episodes(&mut [&mut PlannerPolicy::best(), &mut PlannerPolicy::oracle()]) {
         for (i, step) in steps.iter().enumerate() {
             let to_room = step.action.object.is_some_and(|id| scene.rooms().contains(&id));
             if step.action.verb != Verb::Walk || !to_room {

@@ -5,7 +5,7 @@
 
 use vc_graph::format::read_scene;
 use vc_graph::{ClassTable, SceneGraph, Seed, Simulator};
-use vc_planner::{EpisodeOptions, OraclePolicy, PlannerPolicy, Policy};
+use vc_planner::{EpisodeOptions, PlannerPolicy, Policy};
 use vc_tasks::initial::{InitialGenerator, PlainStock};
 use vc_tasks::library::Benchmark;
 use vc_tasks::{Outcome, World};
@@ -34,7 +34,7 @@ fn what_the_oracle_can_do_the_planners_can() {
             task.step_limit = 200;
             made += 1;
             let mut policies: [Box<dyn Policy>; 3] = [
-                Box::new(OraclePolicy::default()),
+                Box::new(PlannerPolicy::oracle()),
                 Box::new(PlannerPolicy::best()),
                 Box::new(PlannerPolicy::faithful()),
             ];

@@ -12,7 +12,7 @@ use vc_graph::{
     Action, Draft, Event, Goal, History, NodeId, Property, SceneBuilder, SceneGraph, Scope, Seed, Simulator, State,
     Verb, rule,
 };
-use vc_planner::{Agent, Decision, OraclePolicy, plan, run_episode};
+use vc_planner::{Agent, Decision, PlannerPolicy, plan, run_episode};
 use vc_tasks::{Outcome, Task};
 use vc_testkit::amount;
 
@@ -212,7 +212,7 @@ fn an_errand_of_forty_costs_no_more_than_one_of_twenty() {
         many += length(&scene, &goal(40));
         [done_few, done_many] = [(done_few, 20), (done_many, 40)].map(|(done, parts)| {
             let task = Task { step_limit: 500, ..Task::new("errands", goal(parts)) };
-            let episode = run_episode(&mut OraclePolicy::default(), &task, &mut Simulator::new(scene.clone()));
+            let episode = run_episode(&mut PlannerPolicy::oracle(), &task, &mut Simulator::new(scene.clone()));
             assert_eq!(episode.outcome, Outcome::Won, "{seed}: {episode:?}");
             done + episode.steps
         });

@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "tests may unwrap")]
 
 use vc_graph::{Action, ChangeSet, Draft, History, NodeId, Relation, SceneBuilder, SceneGraph, Simulator, Verb};
-use vc_planner::{EpisodeOptions, OraclePolicy, PlannerPolicy, Policy};
+use vc_planner::{EpisodeOptions, PlannerPolicy, Policy};
 use vc_tasks::{Outcome, Task, World, WorldError};
 
 /// Where the item and its holder may be: two floors, a piece of furniture in each room, a closet.
@@ -86,7 +86,7 @@ fn a_box_that_has_no_room_to_open_is_taken_out() {
         scene.add_in(bedroom, Draft::new("character")).unwrap();
         let scene = scene.build();
         let task = Task::new("stow", "Inside(yarn, storage_box)".parse().unwrap());
-        let policies: [Box<dyn Policy>; 2] = [Box::new(OraclePolicy::default()), Box::new(PlannerPolicy::best())];
+        let policies: [Box<dyn Policy>; 2] = [Box::new(PlannerPolicy::oracle()), Box::new(PlannerPolicy::best())];
         for mut policy in policies {
             let mut world = Cramped(Simulator::new(scene.clone()));
             let episode = EpisodeOptions::seeded(1).episode(policy.as_mut(), &task, &mut world, &mut |_| {});

@@ -5,7 +5,7 @@
 use crate::brute;
 
 use vc_graph::{Action, Draft, Goal, History, NodeId, Place, Relation, SceneBuilder, SceneGraph, Simulator, Verb};
-use vc_planner::{EpisodeOptions, OraclePolicy, PlannerPolicy, Policy, plan};
+use vc_planner::{EpisodeOptions, PlannerPolicy, Policy, plan};
 use vc_tasks::{Outcome, Task};
 
 /// A desk in one room, a closed cabinet and a fridge in another, a book, a mug and an apple.
@@ -136,7 +136,7 @@ fn each_hand_holds_what_the_goal_says() {
             let within = brute::World { scene: &scene, me, actions: &actions, remembered: &|_| Vec::new() };
             let best = brute::shortest(&within, &goal, 9, 200_000).unwrap().unwrap();
             let task = Task::new("hands", goal);
-            let policies: [Box<dyn Policy>; 2] = [Box::new(OraclePolicy::default()), Box::new(PlannerPolicy::best())];
+            let policies: [Box<dyn Policy>; 2] = [Box::new(PlannerPolicy::oracle()), Box::new(PlannerPolicy::best())];
             for mut policy in policies {
                 let mut world = Simulator::new(scene.clone());
                 let episode = EpisodeOptions::seeded(2).episode(policy.as_mut(), &task, &mut world, &mut |_| {});

@@ -5,7 +5,7 @@
 
 use vc_graph::goal::Situation;
 use vc_graph::{Draft, Goal, History, NodeId, SceneBuilder, SceneGraph, Seed, Simulator, State};
-use vc_planner::{EpisodeOptions, Manners, OraclePolicy, Planner, PlannerPolicy, Policy, Unreachable};
+use vc_planner::{EpisodeOptions, Manners, Planner, PlannerPolicy, Policy, Unreachable};
 use vc_tasks::{Outcome, Task};
 
 /// A home in which some doors are open and some machines run at first, and most things are in closed
@@ -95,7 +95,7 @@ fn who_is_tidy_leaves_doors_and_switches_as_they_were() {
     let mut rude = 0;
     for (seed, text) in (0..12).flat_map(|seed| GOALS.map(|text| (seed, text))) {
         for policy in [
-            &mut OraclePolicy::default().with_manners(Manners::Tidy) as &mut dyn Policy,
+            &mut PlannerPolicy::oracle().with_manners(Manners::Tidy) as &mut dyn Policy,
             &mut PlannerPolicy::best().with_manners(Manners::Tidy),
             &mut PlannerPolicy::faithful().with_manners(Manners::Tidy),
         ] {

@@ -4,7 +4,7 @@
 #![allow(clippy::unwrap_used, reason = "tests may unwrap")]
 
 use vc_graph::{Draft, SceneBuilder, SceneGraph, Simulator};
-use vc_planner::language::Prompt;
+use vc_planner::language::{AnswerError, Prompt, read_answer};
 use vc_planner::{Episode, LanguageModel, run_episode};
 use vc_tasks::{Outcome, Task};
 
@@ -64,4 +64,23 @@ fn answers_that_say_nothing_end_it() {
     assert_eq!((lost.outcome, lost.steps, asked.len()), (Outcome::Lost, 0, 4));
     assert!(lost.reason.unwrap().starts_with("no usable answer"));
     assert!(asked[1].user.contains("is no action"));
+}
+
+/// In every notation a thing has to exist and to be what the answer calls it.
+#[test]
+fn answers_that_misname_things_are_refused() {
+    let scene = flat();
+    for answer in ["grab cup.3", "[GRAB] <cup> (3)", "place milk.3 cup.2 at 0.1 0.2", "{\"action\": \"open milk.2\"}"] {
+        assert!(matches!(read_answer(answer, &scene), Err(AnswerError::Misnamed(_))), "{answer}");
+    }
+    for answer in ["grab milk.9", "grab #9", "[GRAB] <milk> (9)", "place milk.9 fridge.2 at 0.1 0.2"] {
+        let refused = read_answer(answer, &scene);
+        assert!(matches!(refused, Err(AnswerError::NoSuchThing { .. })), "{answer}: {refused:?}");
+    }
+    for answer in ["grab milk.3", "grab Milk.3", "[GRAB] <milk> (3)", "place milk.3 fridge.2 at 0.1 0.2", "grab #3"] {
+        assert!(read_answer(answer, &scene).is_ok(), "{answer}");
+    }
+    // The model is told what the thing is.
+    let (_, asked) = episode(&["open milk.2", "done"]);
+    assert!(asked[1].user.contains("`milk.2` names a thing that is fridge.2"), "{}", asked[1].user);
 }

@@ -11,8 +11,8 @@ use placements::{Rule, errand};
 use vc_graph::{Action, Draft, NodeId, Relation, SceneBuilder, SceneGraph, Seed, Simulator};
 use vc_planner::language::{Answer, AnswerError, read_answer};
 use vc_planner::{
-    Belief, EpisodeOptions, Fault, LanguageModel, OraclePolicy, PlannerPolicy, Policy, Prior, RandomPolicy,
-    ScriptedPolicy, Trajectory, run_episode,
+    Belief, EpisodeOptions, Fault, LanguageModel, PlannerPolicy, Policy, Prior, RandomPolicy, ScriptedPolicy,
+    Trajectory, run_episode,
 };
 use vc_tasks::{Outcome, Task};
 
@@ -28,7 +28,7 @@ fn planners_win_and_their_records_replay() {
         let scene = home(seed);
         for goal in GOALS {
             let lengths = [
-                &mut OraclePolicy::default() as &mut dyn Policy,
+                &mut PlannerPolicy::oracle() as &mut dyn Policy,
                 &mut PlannerPolicy::best(),
                 &mut PlannerPolicy::faithful(),
             ]
@@ -69,7 +69,7 @@ fn what_is_nowhere_is_searched_for_and_given_up() {
             for policy in [
                 &mut PlannerPolicy::best() as &mut dyn Policy,
                 &mut PlannerPolicy::faithful(),
-                &mut OraclePolicy::default(),
+                &mut PlannerPolicy::oracle(),
             ] {
                 let summary = attempt(policy, &scene, goal, seed).summary;
                 assert_eq!(summary.outcome, Outcome::Lost, "{goal} {}: {summary:?}", policy.name());
@@ -179,7 +179,7 @@ fn random_actions_are_ignored_where_they_cannot_be_done() {
 #[test]
 fn faults_of_a_record_are_found() {
     let scene = home(1);
-    let good = attempt(&mut OraclePolicy::default(), &scene, GOALS[0], 0);
+    let good = attempt(&mut PlannerPolicy::oracle(), &scene, GOALS[0], 0);
     let mut other = good.clone();
     other.steps[0].digest = "0".into();
     assert!(other.check(&scene).contains(&Fault::OtherState(1)));

@@ -94,7 +94,7 @@ fn what_the_scene_lacks_is_named() {
     let mut world = vc_graph::Simulator::new(scene);
     for policy in [
         &mut vc_planner::PlannerPolicy::best() as &mut dyn vc_planner::Policy,
-        &mut vc_planner::OraclePolicy::default(),
+        &mut vc_planner::PlannerPolicy::oracle(),
     ] {
         let reason = vc_planner::run_episode(policy, &task, &mut world).reason.unwrap();
         assert!(reason.contains("needs 2 of `mug`, the scene has 0"), "{reason}");
@@ -108,7 +108,7 @@ fn two_hands_hold_two_things() {
     let task = vc_tasks::Task::new("armful", "Holds(apple) & Holds(book) & Holds(chicken)".parse().unwrap());
     for policy in [
         &mut vc_planner::PlannerPolicy::best() as &mut dyn vc_planner::Policy,
-        &mut vc_planner::OraclePolicy::default(),
+        &mut vc_planner::PlannerPolicy::oracle(),
     ] {
         let mut world = vc_graph::Simulator::new(scene.clone());
         let episode = vc_planner::run_episode(policy, &task, &mut world);

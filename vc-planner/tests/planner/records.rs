@@ -6,9 +6,7 @@ use crate::homes;
 
 use homes::{GOALS, home};
 use vc_graph::{Action, NodeId, SceneGraph, Scope, Simulator, Verb};
-use vc_planner::{
-    EpisodeOptions, Fault, OraclePolicy, PlannerPolicy, Policy, RandomPolicy, ScriptedPolicy, Trajectory,
-};
+use vc_planner::{EpisodeOptions, Fault, PlannerPolicy, Policy, RandomPolicy, ScriptedPolicy, Trajectory};
 use vc_tasks::{Outcome, Task};
 
 fn record(run: &EpisodeOptions, policy: &mut dyn Policy, scene: &SceneGraph, goal: &str) -> Trajectory {
@@ -21,7 +19,7 @@ fn what_was_seen_is_recorded_and_checked() {
     let scene = home(4);
     let scopes = [Scope::Room, Scope::Room, Scope::Whole];
     let policies =
-        [&mut PlannerPolicy::best() as &mut dyn Policy, &mut RandomPolicy::default(), &mut OraclePolicy::default()];
+        [&mut PlannerPolicy::best() as &mut dyn Policy, &mut RandomPolicy::default(), &mut PlannerPolicy::oracle()];
     for (policy, scope) in policies.into_iter().zip(scopes) {
         let good = record(&EpisodeOptions::seeded(4), policy, &scene, GOALS[1]);
         assert_eq!(good.header.scope, scope, "{}", policy.name());

@@ -3,7 +3,10 @@
 #![allow(clippy::unwrap_used, clippy::print_stdout, reason = "tests may unwrap, and print counts")]
 
 use vc_graph::{Draft, Event, Goal, History, NodeId, SceneBuilder, SceneGraph, Seed, Simulator, Verb};
-use vc_planner::{GoalRecognizer, Helper, PlannerPolicy, Policy, Team, plan, run_together};
+use vc_planner::{
+    EpisodeOptions, GoalRecognizer, Helper, PlannerPolicy, Policy, ScriptedPolicy, Team, plan, run_episode,
+    run_together,
+};
 use vc_tasks::{Outcome, Task};
 
 /// A home with two people, and one of each of eight things anywhere.
@@ -211,13 +214,13 @@ fn a_team_with_a_member_that_is_no_agent_is_lost_and_names_it() {
     let scene = home(3);
     let (me, apple) = (scene.agents()[0], scene.of_class("apple")[0]);
     let task = Task::new("fetch", "Inside(apple, fridge)".parse().unwrap());
-    for (stranger, told) in [
+    for (outsider, told) in [
         (apple, format!("apple.{} is no agent and cannot act", apple.0)),
         (NodeId(9_999_999), "there is no node #9999999 in this scene".to_owned()),
     ] {
-        let mut team = Team::in_known_home(&scene, &[me, stranger], &task.goal, 3);
+        let mut team = Team::in_known_home(&scene, &[me, outsider], &task.goal, 3);
         let (mut one, mut other) = (PlannerPolicy::best(), PlannerPolicy::best());
-        let mut together = [(me, &mut one as &mut dyn Policy), (stranger, &mut other as &mut dyn Policy)];
+        let mut together = [(me, &mut one as &mut dyn Policy), (outsider, &mut other as &mut dyn Policy)];
         let mut world = Simulator::new(scene.clone());
         for episode in [
             team.run(&task, &mut world),
@@ -226,6 +229,9 @@ fn a_team_with_a_member_that_is_no_agent_is_lost_and_names_it() {
             assert_eq!((episode.outcome, episode.rounds), (Outcome::Lost, 0));
             assert_eq!(episode.reason.as_deref(), Some(&*told));
         }
+        let alone = EpisodeOptions { agent: Some(outsider), ..EpisodeOptions::default() };
+        let episode = alone.episode(&mut PlannerPolicy::best(), &task, &mut world, &mut |_| {});
+        assert_eq!((episode.outcome, episode.steps, episode.reason), (Outcome::Lost, 0, Some(told)));
     }
 }
 
@@ -253,4 +259,20 @@ fn a_lost_team_says_why() {
     let kept = run(scene.agents(), "always Closed(fridge) & Inside(apple, fridge)");
     assert_eq!(kept.outcome, Outcome::Lost, "{kept:?}");
     assert!(kept.reason.as_ref().unwrap().contains("always Closed(fridge)"), "{kept:?}");
+}
+
+/// A goal that was broken for good is the reason if the agents give none, whoever runs them.
+#[test]
+fn a_broken_goal_is_the_reason_alone_and_together() {
+    let scene = home(1);
+    let fridge = scene.label(scene.of_class("fridge")[0]);
+    let script = ["walk", "open"].map(|verb| format!("{verb} {fridge}").parse().unwrap());
+    let task = Task::new("shut", "always Closed(fridge) & Inside(apple, fridge)".parse().unwrap());
+    let mut policy = ScriptedPolicy::new(script.to_vec());
+    let alone = run_episode(&mut policy, &task, &mut Simulator::new(scene.clone()));
+    let mut policies = [(scene.agents()[0], &mut policy as &mut dyn Policy)];
+    let together = run_together(&mut policies, &task, &mut Simulator::new(scene.clone()), Seed(1));
+    assert_eq!((alone.outcome, together.outcome), (Outcome::Lost, Outcome::Lost));
+    assert!(alone.reason.as_ref().is_some_and(|why| why.contains("always Closed(fridge)")), "{alone:?}");
+    assert_eq!(alone.reason, together.reason);
 }

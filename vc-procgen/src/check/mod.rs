@@ -1,6 +1,7 @@
 //! Checks whether an apartment is sound: every violation, with the items it concerns.
 
 mod overlap;
+mod references;
 mod swing;
 
 use crate::apartment::Apartment;
@@ -13,7 +14,9 @@ use crate::violation::{ApartmentViolation, ItemLabel};
 use overlap::collisions;
 
 impl Apartment {
-    /// Lists every violation; an apartment returned by [`Apartment::generate`] has none.
+    /// Lists every violation; an apartment returned by [`Apartment::generate`] has none. If an edit has left a
+    /// reference to a room, an item or a surface that there is not, only the broken references are listed: the other
+    /// rules rely on them.
     ///
     /// Costs about a millisecond.
     ///
@@ -28,6 +31,11 @@ impl Apartment {
     /// # Ok::<(), vc_procgen::SpecificationError>(())
     /// ```
     pub fn check(&self) -> Vec<ApartmentViolation> {
+        let broken = self.broken_references();
+        if broken.is_empty() { self.broken_rules() } else { broken }
+    }
+
+    fn broken_rules(&self) -> Vec<ApartmentViolation> {
         let mut found = Vec::new();
         let items = &self.items;
         let pairs = collisions(items);
@@ -55,7 +63,7 @@ impl Apartment {
     }
 
     fn named(&self, item: usize) -> ItemLabel {
-        ItemLabel { item, class: self.items[item].object.class }
+        ItemLabel { item, node: self.item_id(item), class: self.items[item].object.class }
     }
 
     fn is_studio(&self) -> bool {

@@ -69,7 +69,7 @@ impl Habits {
     }
 
     /// The classes kept in a place, with weights.
-    pub(super) fn of(&self, place: &Place) -> Choice {
+    pub(super) fn choice(&self, place: &Place) -> Choice {
         let relation = if place.hold == Hold::Inside { Relation::Inside } else { Relation::On };
         let mut choice = Choice::default();
         if !self.holds(place.carrier, relation) {

@@ -66,8 +66,8 @@ struct Choices {
 }
 
 impl Choices {
-    fn of(&mut self, place: Place) -> Rc<Choice> {
-        self.known.entry(place).or_insert_with_key(|place| Rc::new(Habits::known().of(place))).clone()
+    fn at(&mut self, place: Place) -> Rc<Choice> {
+        self.known.entry(place).or_insert_with_key(|place| Rc::new(Habits::known().choice(place))).clone()
     }
 }
 
@@ -76,7 +76,7 @@ fn fill_surface(filler: &mut SurfaceFiller<'_>, surface: usize, choices: &mut Ch
     let (class, room) = (filler.class(), filler.room_class());
     let Some(s) = filler.surface(surface) else { return };
     let (hold, area) = (s.hold, 4.0 * s.half.0 * s.half.1);
-    let kept = choices.of(Place { carrier: class, drawer: s.name.starts_with("drawer"), hold, room });
+    let kept = choices.at(Place { carrier: class, drawer: s.name.starts_with("drawer"), hold, room });
     let density = match hold {
         Hold::Inside => 20.0,
         Hold::On if matches!(class, "sofa" | "armchair" | "chair" | "dining_chair" | "office_chair") => 0.4,

@@ -2,12 +2,13 @@
 //! wide, stretched if it comes out smaller.
 
 use nalgebra::{Point3, Vector3};
-use vc_graph::{Asset, Seed};
+use vc_graph::{Asset, ClassTable, Seed};
 use vc_shapes::material::*;
-use vc_shapes::{Generator, Generators, Object, Style};
+use vc_shapes::{Generator, Object, Style};
 
 use super::Made;
 use super::compose::{block, joined, moved};
+use super::house::House;
 use super::load::{self, Load};
 use super::turn::Place;
 
@@ -31,27 +32,24 @@ const ROWS: [(&str, f32); 5] = [
     ("wall_hook_rack", 1.0),
 ];
 
-/// The material of an object without a generator, by a word in its class.
-const MATTER: [(&str, MaterialId); 12] = [
-    ("wood", OAK),
-    ("metal", STEEL),
-    ("glass", GLASS),
-    ("paper", WHITE_PAPER),
-    ("card", CARDBOARD),
-    ("cloth", GREY_FABRIC),
+/// The material of objects without a generator: the first class of which theirs is a kind decides.
+const MATERIALS: [(&str, MaterialId); 9] = [
+    ("firewood", OAK),
+    ("stepping_stone", GRANITE),
+    ("cardboard_box", CARDBOARD),
+    ("paper_goods", WHITE_PAPER),
     ("towel", TOWEL_WHITE),
-    ("food", CRUST),
+    ("textile", GREY_FABRIC),
     ("plant", LEAF),
-    ("stone", GRANITE),
     ("water", WATER),
-    ("leather", BROWN_LEATHER),
+    ("food", CRUST),
 ];
 
 /// Makes the object for a box, with its origin at the box's centre.
-pub(super) fn made(generators: &Generators, place: &Place, loads: &[Load], style: &Style, seed: Seed) -> Made {
+pub(super) fn made(house: &House, place: &Place, loads: &[Load], style: &Style, seed: Seed) -> Made {
     let size = place.bounds.size().map(|v| v.max(THIN));
-    let Some(generator) = generators.get(&place.class) else {
-        return Made { asset: plain(&place.class, size), scale: Vector3::repeat(1.0) };
+    let Some(generator) = house.generators.get(&place.class) else {
+        return Made { asset: plain(house.graph.classes(), &place.class, size), scale: Vector3::repeat(1.0) };
     };
     let row = ROWS.iter().find(|(class, most)| *class == &*place.class && size.y > *most * 1.3);
     match row {
@@ -64,25 +62,23 @@ fn fitted(generator: &Generator, size: Vector3<f32>, loads: &[Load], style: &Sty
     let stretch = |o: &Object| size.component_div(&o.size().map(|v| v.max(1e-4)));
     let worst = |o: &Object| stretch(o).iter().map(|s| s.max(1.0 / s)).fold(1.0, f32::max);
     let laden = |o: &Object| load::off(&o.asset, &o.bounds.offset, &stretch(o), loads);
-    let mut best: Option<(f32, Object)> = None;
-    for n in 0..if loads.is_empty() { TRIES } else { LADEN } {
+    let tried = |n| {
         let object = generator.sized(size, style, seed.nth(n));
-        let off = worst(&object) + laden(&object);
-        if best.as_ref().is_none_or(|(b, _)| off < *b) {
-            best = Some((off, object));
-        }
+        (worst(&object) + laden(&object), object)
+    };
+    let (mut off, mut object) = tried(0);
+    for n in 1..if loads.is_empty() { TRIES } else { LADEN } {
         if off < UNSEEN {
             break;
         }
-    }
-    match best {
-        Some((_, mut object)) => {
-            let scale = stretch(&object).map(|s| s.min(MOST));
-            load::lay_on_boards(&mut object.asset, &object.bounds.offset, &scale, loads);
-            Made { scale, asset: centred(object) }
+        let next = tried(n);
+        if next.0 < off {
+            (off, object) = next;
         }
-        None => Made { asset: plain(generator.class, size), scale: Vector3::repeat(1.0) },
     }
+    let scale = stretch(&object).map(|s| s.min(MOST));
+    load::lay_on_boards(&mut object.asset, &object.bounds.offset, &scale, loads);
+    Made { scale, asset: centred(object) }
 }
 
 /// An asset slightly smaller than its box, with the scale by which it fills it.
@@ -106,13 +102,15 @@ fn side_by_side(
     seed: Seed,
 ) -> Asset {
     const LEAST: f32 = 0.2;
+    /// The greatest number of units between two appliances: no row of a home is longer.
+    const UNITS: f32 = 64.0;
     let mut units = Vec::new();
     let (mut from, end) = (-size.y / 2.0, size.y / 2.0);
     let gaps = taken.iter().copied().chain([(end, end)]);
     for (low, high) in gaps {
         let (low, wide) = (low.min(end), low.min(end) - from);
         if wide > LEAST {
-            let count = (wide / most).ceil().max(1.0);
+            let count = (wide / most).ceil().clamp(1.0, UNITS);
             for i in 0..count as usize {
                 let unit = Vector3::new(size.x, wide / count, size.z);
                 let made = fitted(generator, unit, &[], style, seed);
@@ -137,9 +135,9 @@ fn bridge(size: Vector3<f32>, (low, high): (f32, f32), style: &Style) -> Asset {
     Asset { name: "worktop".into(), parts: vec![block("worktop", from, to, style.worktop)], ..Asset::default() }
 }
 
-/// A plain box of the material that the class suggests.
-fn plain(class: &str, size: Vector3<f32>) -> Asset {
-    let mat = MATTER.iter().find(|(word, _)| class.contains(word)).map_or(BEIGE_FABRIC, |(_, mat)| *mat);
+/// A plain box of the material of its class.
+fn plain(classes: &ClassTable, class: &str, size: Vector3<f32>) -> Asset {
+    let mat = MATERIALS.iter().find(|(kind, _)| classes.is_a(class, kind)).map_or(BEIGE_FABRIC, |(_, mat)| *mat);
     let half = Point3::from(size / 2.0);
     Asset { name: class.into(), parts: vec![block("box", -half, half, mat)], ..Asset::default() }
 }

@@ -49,7 +49,7 @@ const RULES: [Rule; 16] = [
 ];
 
 /// The class whose generator makes an object; its own class if there is no generator.
-pub(super) fn of(house: &House, id: NodeId, size: Vector3<f32>, around: &Aabb) -> Arc<str> {
+pub(super) fn generated_class(house: &House, id: NodeId, size: Vector3<f32>, around: &Aabb) -> Arc<str> {
     let Some(node) = house.graph.node(id) else { return "".into() };
     let (classes, generators) = (house.graph.classes(), house.generators);
     let name = node.spec().name.as_deref().unwrap_or(&node.spec().spelling);

@@ -19,7 +19,7 @@ pub(super) struct Load {
 }
 
 /// The objects that rest on or in another, whose box has its centre and axes at a pose.
-pub(super) fn of(house: &House, id: NodeId, middle: &Isometry3<f32>) -> Vec<Load> {
+pub(super) fn resting_on(house: &House, id: NodeId, middle: &Isometry3<f32>) -> Vec<Load> {
     let related = |relation| house.graph.relating(relation, id).map(move |load| (load, relation == Relation::Inside));
     let all = related(Relation::On).chain(related(Relation::Inside));
     all.filter_map(|(load, inside)| Some(Load::new(&house.graph.node(load)?.aabb()?, middle, inside))).collect()

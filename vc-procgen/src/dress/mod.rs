@@ -183,8 +183,30 @@ struct Wardrobe<'g> {
     loads: BTreeMap<Key, Vec<load::Load>>,
 }
 
-/// Class, name and size: objects with the same key share a shape.
-type Key = (String, [i32; 6]);
+/// Objects with the same key share a shape. Lengths are in tenths of a millimetre.
+#[derive(Clone, PartialEq, Eq, PartialOrd, Ord)]
+struct Key {
+    /// The class, and the name if there is one.
+    name: String,
+    /// The offset and half size of its box.
+    size: [i32; 6],
+    /// The stretches of its width that other objects occupy.
+    taken: Vec<[i32; 2]>,
+}
+
+impl Key {
+    fn new(node: &Node, place: &turn::Place) -> Self {
+        let name = format!("{} {}", place.class, node.spec().name.as_deref().unwrap_or(""));
+        let (o, h) = (place.bounds.offset, place.bounds.half);
+        let taken = place.taken.iter().map(|(from, to)| [*from, *to].map(ten_thousandths)).collect();
+        Self { name, size: [o.x, o.y, o.z, h.x, h.y, h.z].map(ten_thousandths), taken }
+    }
+}
+
+/// Metres or radians in ten-thousandths.
+fn ten_thousandths(value: f32) -> i32 {
+    (value * 1e4).round() as i32
+}
 
 /// The shape that a node needs.
 enum Need {
@@ -213,8 +235,8 @@ impl<'g> Wardrobe<'g> {
             return Need::Built(built);
         }
         let place = turn::placed(house, node.id(), pose, &bounds);
-        let loads = load::of(house, node.id(), &(place.pose * Translation3::from(place.bounds.offset)));
-        let key = (format!("{} {}", place.class, node.spec().name.as_deref().unwrap_or("")), rounded(&place.bounds));
+        let loads = load::resting_on(house, node.id(), &(place.pose * Translation3::from(place.bounds.offset)));
+        let key = Key::new(node, &place);
         Need::Thing(place, key, loads)
     }
 
@@ -240,7 +262,7 @@ impl<'g> Wardrobe<'g> {
             Some(known) => *known,
             None => {
                 let loads = self.loads.get(&key).map_or(&[][..], Vec::as_slice);
-                let made = fit::made(self.generators, &place, loads, &self.style, self.seed.child(&key.0));
+                let made = fit::made(house, &place, loads, &self.style, self.seed.child(&key.name));
                 let shift = bounds.offset.component_div(&made.scale);
                 let asset = self.add(compose::moved(made.asset, shift))?;
                 self.made.insert(key, (asset, made.scale));
@@ -261,8 +283,11 @@ impl<'g> Wardrobe<'g> {
     ) -> Result<AssetId, AssetError> {
         let made = self.library.get(asset).and_then(|made| swing::within_walls(made, pose, scale, &house.walls));
         let Some(made) = made else { return Ok(asset) };
-        let number = |v: f32| (v * 1e4).round() as i32;
-        let limits = made.parts.iter().filter_map(|p| p.joint).map(|j| [number(j.limits.0), number(j.limits.1)]);
+        let limits = made
+            .parts
+            .iter()
+            .filter_map(|p| p.joint)
+            .map(|j| [ten_thousandths(j.limits.0), ten_thousandths(j.limits.1)]);
         let key = (asset, limits.collect());
         if let Some(known) = self.stopped.get(&key) {
             return Ok(*known);
@@ -292,13 +317,6 @@ impl<'g> Wardrobe<'g> {
 /// Names the node for which a shape was made.
 fn of_node(node: &Node) -> impl FnOnce(AssetError) -> DressError {
     |error| DressError::Asset { node: node.label(), error }
-}
-
-/// The offset and half size of a box in tenths of a millimetre.
-fn rounded(bounds: &Bounds) -> [i32; 6] {
-    let number = |v: f32| (v * 1e4).round() as i32;
-    let (o, h) = (bounds.offset, bounds.half);
-    [o.x, o.y, o.z, h.x, h.y, h.z].map(number)
 }
 
 /// The generator for a node, if the node has neither shape nor box.

@@ -10,6 +10,7 @@ use vc_shapes::object::{Generator, Object};
 use super::compose::{block, moved};
 use super::house::{House, goes_around};
 use crate::area::Facing;
+use crate::room_kind::is_wet;
 
 /// The thickness of a ceiling whose box has none, metres.
 const SLAB: f32 = 0.1;
@@ -23,8 +24,6 @@ const THIN: f32 = 0.02;
 const LIKE: u64 = 8;
 /// The height of the strip on the floor below a door, metres.
 const STRIP: f32 = 0.004;
-/// The rooms with tiled floors; the first also has tiled walls.
-const WET: [&str; 4] = ["bathroom", "kitchen", "laundry_room", "utility_room"];
 
 /// A part of the building with its shape.
 pub(super) struct Built {
@@ -36,10 +35,13 @@ pub(super) struct Built {
 /// The shape of a node that is part of the building; `None` if it is not.
 pub(super) fn built(house: &House, node: &Node, style: &Style, seed: Seed) -> Option<Built> {
     let room = house.graph.room_of(node.id()).and_then(|r| house.graph.node(r)).map_or("", |r| r.class());
+    let (classes, is_a) = (house.graph.classes(), |class| house.graph.classes().is_a(room, class));
     match node.role() {
-        ObjectRole::Floor if room == "balcony" => painted(house, node, material::CONCRETE),
-        ObjectRole::Floor => painted(house, node, if WET.contains(&room) { style.tile } else { style.floor }),
-        ObjectRole::Wall => painted(house, node, if room == WET[0] { style.tile } else { style.wall }),
+        ObjectRole::Floor if is_a("balcony") => painted(house, node, material::CONCRETE),
+        ObjectRole::Floor if is_wet(classes, room) => painted(house, node, style.tile),
+        ObjectRole::Floor => painted(house, node, style.floor),
+        ObjectRole::Wall if is_a("bathroom") => painted(house, node, style.tile),
+        ObjectRole::Wall => painted(house, node, style.wall),
         ObjectRole::Ceiling => ceiling(house, node),
         _ if goes_around(node) => painted(house, node, style.worktop),
         _ => {

@@ -38,7 +38,7 @@ pub(super) fn placed(house: &House, id: NodeId, pose: &Pose, bounds: &Bounds) ->
     let known = !super::is_unturned(bounds);
     let box_ = bounds.aabb(pose);
     let size = if known { bounds.size() } else { box_.max - box_.min };
-    let class = kind::of(house, id, size, &box_);
+    let class = kind::generated_class(house, id, size, &box_);
     if known {
         return Place { class, pose: *pose, bounds: *bounds, taken: Vec::new() };
     }
@@ -155,7 +155,7 @@ fn holder_front(house: &House, id: NodeId) -> Option<u8> {
         return (0..4).max_by(|&a, &b| step(a).dot(&way).total_cmp(&step(b).dot(&way)));
     }
     let around = bounds.aabb(&pose);
-    let class = kind::of(house, holder.id(), around.max - around.min, &around);
+    let class = kind::generated_class(house, holder.id(), around.max - around.min, &around);
     let alone = Surroundings { house, id: holder.id(), around: &around, level: house.level(&around) };
     Some(alone.front(&class, &Lain::Upright))
 }

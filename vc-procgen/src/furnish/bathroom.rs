@@ -1,6 +1,6 @@
 //! Bathrooms: shower or bath, toilet and basin, then whatever else fits.
 
-use super::Setter;
+use super::Furnisher;
 use super::place::{Need, Spot};
 use super::space::Solid;
 use crate::area::Area;
@@ -12,7 +12,7 @@ use crate::plan::RoomKind;
 /// The number of attempts to place the fittings.
 const TRIES: usize = 40;
 
-pub(super) fn furnish(s: &mut Setter<'_>) -> Result<(), SpecificationError> {
+pub(super) fn furnish(s: &mut Furnisher<'_>) -> Result<(), SpecificationError> {
     let bath = s.kind() == RoomKind::Bathroom;
     let mut fittings: Vec<Vec<(Draft, Need)>> = Vec::new();
     if bath {
@@ -50,7 +50,7 @@ pub(super) fn furnish(s: &mut Setter<'_>) -> Result<(), SpecificationError> {
 }
 
 /// Places one of each list of alternatives, retrying until all fit.
-fn place_all(s: &mut Setter<'_>, fittings: &[Vec<(Draft, Need)>]) -> Option<Vec<usize>> {
+fn place_all(s: &mut Furnisher<'_>, fittings: &[Vec<(Draft, Need)>]) -> Option<Vec<usize>> {
     let (solids, zones) = (s.space.solids.len(), s.space.zones.len());
     for attempt in 0..TRIES {
         let mut spots: Vec<(Draft, Spot, Need)> = Vec::new();
@@ -78,14 +78,14 @@ fn place_all(s: &mut Setter<'_>, fittings: &[Vec<(Draft, Need)>]) -> Option<Vec<
     None
 }
 
-fn commit(s: &mut Setter<'_>, object: &Draft, spot: &Spot, need: Need) -> usize {
+fn commit(s: &mut Furnisher<'_>, object: &Draft, spot: &Spot, need: Need) -> usize {
     let index = s.settle(object, spot.area, spot.facing, need);
     s.item(index).required = true;
     index
 }
 
 /// Adds a bowl on a vanity, and the mirror.
-fn above_basin(s: &mut Setter<'_>, basin: usize) {
+fn above_basin(s: &mut Furnisher<'_>, basin: usize) {
     let (area, facing, class, height) = {
         let item = s.item(basin);
         (item.area(), item.facing(), item.object.class, item.corners().1.z)
@@ -111,7 +111,7 @@ fn above_basin(s: &mut Setter<'_>, basin: usize) {
     }
 }
 
-fn extras(s: &mut Setter<'_>) {
+fn extras(s: &mut Furnisher<'_>) {
     let free = s.space.square_metres;
     if free > 5.0 && s.rng.chance(0.4) {
         s.first_against("washing_machine", &[[0.6, 0.6, 0.85]], Need::front(0.6), |_, _| 0.0);
@@ -130,7 +130,7 @@ fn extras(s: &mut Setter<'_>) {
 }
 
 /// Adds a mat in front of the shower or bath.
-fn bath_mat(s: &mut Setter<'_>, mat: Option<Draft>) {
+fn bath_mat(s: &mut Furnisher<'_>, mat: Option<Draft>) {
     let Some(mat) = mat else { return };
     let wet = s.items.iter().find(|i| matches!(i.object.class, "shower" | "bathtub"));
     let Some((area, facing)) = wet.map(|i| (i.area(), i.facing())) else { return };

@@ -1,6 +1,6 @@
 //! Bedrooms: the bed with its nightstands first, a wardrobe, then whatever else fits.
 
-use super::Setter;
+use super::Furnisher;
 use super::place::{Need, Spot};
 use super::space::Solid;
 use crate::area::{Area, Facing};
@@ -9,7 +9,7 @@ use crate::error::SpecificationError;
 use crate::item::Support;
 use crate::plan::RoomKind;
 
-pub(super) fn furnish(s: &mut Setter<'_>) -> Result<(), SpecificationError> {
+pub(super) fn furnish(s: &mut Furnisher<'_>) -> Result<(), SpecificationError> {
     // In small rooms sometimes one, sometimes the other finds a place only if it comes first.
     if s.rng.chance(0.3) {
         wardrobe(s)?;
@@ -26,13 +26,13 @@ pub(super) fn furnish(s: &mut Setter<'_>) -> Result<(), SpecificationError> {
     Ok(())
 }
 
-fn bed(s: &mut Setter<'_>) -> Result<(), SpecificationError> {
+fn bed(s: &mut Furnisher<'_>) -> Result<(), SpecificationError> {
     let bed = place_bed(s).ok_or_else(|| s.missing("bed"))?;
     s.item(bed).required = true;
     Ok(())
 }
 
-fn wardrobe(s: &mut Setter<'_>) -> Result<(), SpecificationError> {
+fn wardrobe(s: &mut Furnisher<'_>) -> Result<(), SpecificationError> {
     let widths: &[f32] =
         if s.space.square_metres > 13.0 { &[2.4, 2.0, 1.6, 1.2, 1.0, 0.8] } else { &[1.8, 1.5, 1.0, 0.8] };
     let skip = s.rng.below(2);
@@ -45,13 +45,13 @@ fn wardrobe(s: &mut Setter<'_>) -> Result<(), SpecificationError> {
 }
 
 /// Tall storage prefers corners away from windows.
-pub(super) fn in_corner(s: &Setter<'_>, spot: &Spot) -> f32 {
+pub(super) fn in_corner(s: &Furnisher<'_>, spot: &Spot) -> f32 {
     let door = s.space.door_distance(&spot.area).min(1.0);
     (0.6 - spot.corner).max(0.0) + 0.2 * door
 }
 
 /// Places the widest bed that fits, with its head against a wall without a window.
-fn place_bed(s: &mut Setter<'_>) -> Option<usize> {
+fn place_bed(s: &mut Furnisher<'_>) -> Option<usize> {
     let length = s.rng.between(2.02, 2.1);
     let height = s.rng.between(0.8, 1.15);
     let double = s.kind() == RoomKind::Bedroom;
@@ -89,7 +89,7 @@ fn place_bed(s: &mut Setter<'_>) -> Option<usize> {
     None
 }
 
-fn bed_place(s: &Setter<'_>, spot: &Spot) -> f32 {
+fn bed_place(s: &Furnisher<'_>, spot: &Spot) -> f32 {
     let window = if spot.sill.is_some() { -2.0 } else { 0.0 };
     let wall = s.space.sides[spot.side].length().min(5.0) * 0.1;
     // In the middle of its wall or in a corner, but not slightly off either.
@@ -98,7 +98,7 @@ fn bed_place(s: &Setter<'_>, spot: &Spot) -> f32 {
 }
 
 /// Places nightstands at the head of the bed, where there is space.
-fn night_stands(s: &mut Setter<'_>, bed: usize, stand: Option<&Draft>) {
+fn night_stands(s: &mut Furnisher<'_>, bed: usize, stand: Option<&Draft>) {
     let Some(stand) = stand else { return };
     let (area, facing) = (s.item(bed).area(), s.item(bed).facing());
     let size = stand.size();
@@ -128,7 +128,7 @@ fn night_stands(s: &mut Setter<'_>, bed: usize, stand: Option<&Draft>) {
     }
 }
 
-fn grown_ups(s: &mut Setter<'_>) {
+fn grown_ups(s: &mut Furnisher<'_>) {
     let width = s.rng.between(0.8, 1.4);
     if s.rng.chance(0.6) {
         s.first_against("dresser", &[[0.46, width, 0.85], [0.45, 0.8, 0.8]], Need::front(0.75), |_, _| 0.0);
@@ -149,7 +149,7 @@ fn grown_ups(s: &mut Setter<'_>) {
     super::other::basket(s, "laundry_basket", 0.5);
 }
 
-fn kids(s: &mut Setter<'_>) {
+fn kids(s: &mut Furnisher<'_>) {
     desk(s, 1.0);
     if s.rng.chance(0.8) {
         s.first_against("low_bookcase", &[[0.3, 1.0, 0.85], [0.3, 0.7, 0.85]], Need::front(0.5), |_, _| 0.0);
@@ -165,20 +165,20 @@ fn kids(s: &mut Setter<'_>) {
     super::other::basket(s, "wastebasket", 0.5);
 }
 
-pub(super) fn bookcase(s: &mut Setter<'_>) -> Option<usize> {
+pub(super) fn bookcase(s: &mut Furnisher<'_>) -> Option<usize> {
     let (width, height) = (s.rng.between(0.6, 1.2), s.rng.between(1.6, 2.1));
     s.first_against("bookshelf", &[[0.3, width, height], [0.28, 0.6, height]], Need::front(0.5), in_corner)
 }
 
 /// Places a desk with its chair, near a window if possible.
-pub(super) fn desk(s: &mut Setter<'_>, width: f32) -> Option<usize> {
+pub(super) fn desk(s: &mut Furnisher<'_>, width: f32) -> Option<usize> {
     let chair_class = if s.rng.chance(0.75) { "office_chair" } else { "chair" };
     let chair = s.make(chair_class, [0.58, 0.58, 0.95])?;
     let depth = chair.size().x;
     for (w, d) in [(width + 0.4, 0.7), (width, 0.6), (1.0, 0.55)] {
         let desk = s.make("desk", [d, w, 0.74])?;
         let need = Need::front(depth + 0.35);
-        let near_window = |_: &Setter<'_>, spot: &Spot| if spot.sill.is_some() { 0.4 } else { 0.0 };
+        let near_window = |_: &Furnisher<'_>, spot: &Spot| if spot.sill.is_some() { 0.4 } else { 0.0 };
         if let Some(index) = s.against(&desk, need, near_window) {
             let (area, facing) = (s.item(index).area(), s.item(index).facing());
             seat(s, &chair, &area, facing, 0.0);
@@ -189,14 +189,14 @@ pub(super) fn desk(s: &mut Setter<'_>, width: f32) -> Option<usize> {
 }
 
 /// Places a chair in front of an area, facing it, offset along its edge.
-pub(super) fn seat(s: &mut Setter<'_>, chair: &Draft, area: &Area, facing: Facing, along: f32) -> Option<usize> {
+pub(super) fn seat(s: &mut Furnisher<'_>, chair: &Draft, area: &Area, facing: Facing, along: f32) -> Option<usize> {
     let size = chair.size();
     let gap = s.rng.between(0.02, 0.08);
     let before = facing.before(area, size.x + gap);
     let (dx, dy) = facing.step();
     let (cx, cy) = before.centre();
     let centre = (cx + dx * gap / 2.0 - dy * along, cy + dy * gap / 2.0 + dx * along);
-    let spot = Setter::around(centre, size, facing);
+    let spot = Furnisher::around(centre, size, facing);
     let solid = Solid { area: spot, low: 0.0, high: size.z };
     (s.space.is_off_ways(&solid) && s.space.stays_open(&solid))
         .then(|| s.add(chair, centre, 0.0, facing.turned(2), Support::Floor))

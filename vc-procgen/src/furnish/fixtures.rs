@@ -1,7 +1,7 @@
 //! Fixtures on walls, windows and ceilings: radiators, curtains, lamps, pictures, switches and
 //! sockets.
 
-use super::Setter;
+use super::Furnisher;
 use super::other::hang_somewhere;
 use super::space::{Side, Solid};
 use crate::area::{Area, Facing};
@@ -10,7 +10,7 @@ use crate::item::Support;
 use crate::plan::{FloorPlan, OpeningKind, RoomKind, metres};
 
 /// Adds the fixtures that fit beside the room's furniture.
-pub(super) fn fix(s: &mut Setter<'_>, plan: &FloorPlan) {
+pub(super) fn fix(s: &mut Furnisher<'_>, plan: &FloorPlan) {
     if s.kind() == RoomKind::Balcony {
         return;
     }
@@ -35,7 +35,7 @@ pub(super) fn fix(s: &mut Setter<'_>, plan: &FloorPlan) {
 }
 
 /// Hangs one lamp from the ceiling of every room, several in rooms of several rectangles.
-fn ceiling_lamp(s: &mut Setter<'_>, plan: &FloorPlan) {
+fn ceiling_lamp(s: &mut Furnisher<'_>, plan: &FloorPlan) {
     let class = match s.kind() {
         RoomKind::Living | RoomKind::Kids | RoomKind::Bedroom if s.rng.chance(0.5) => "pendant_lamp",
         _ => "ceiling_lamp",
@@ -64,7 +64,7 @@ fn ceiling_lamp(s: &mut Setter<'_>, plan: &FloorPlan) {
 }
 
 /// Adds a switch at the latch side of every door, inside the room.
-fn switches(s: &mut Setter<'_>, plan: &FloorPlan) {
+fn switches(s: &mut Furnisher<'_>, plan: &FloorPlan) {
     let Some(switch) = s.make("lightswitch", [0.012, 0.08, 0.08]) else { return };
     let doors: Vec<_> = plan.doors_of(s.room).filter(|o| o.has_leaf()).copied().collect();
     for door in doors.iter().filter(|o| o.kind != OpeningKind::BalconyDoor).take(2) {
@@ -86,7 +86,7 @@ fn switches(s: &mut Setter<'_>, plan: &FloorPlan) {
 }
 
 /// Adds a radiator below a window if the space is free.
-fn radiator(s: &mut Setter<'_>, side: usize, window: (f32, f32), sill: f32) {
+fn radiator(s: &mut Furnisher<'_>, side: usize, window: (f32, f32), sill: f32) {
     if sill < 0.7 || s.kind() == RoomKind::Kitchen {
         return;
     }
@@ -105,7 +105,7 @@ fn radiator(s: &mut Setter<'_>, side: usize, window: (f32, f32), sill: f32) {
 }
 
 /// Adds curtains or a blind, as the room and the furniture below allow.
-fn dress_window(s: &mut Setter<'_>, side: usize, window: (f32, f32), heights: (f32, f32)) {
+fn dress_window(s: &mut Furnisher<'_>, side: usize, window: (f32, f32), heights: (f32, f32)) {
     let (sill, head) = heights;
     let blind = matches!(s.kind(), RoomKind::Kitchen | RoomKind::Bathroom | RoomKind::Study) || s.rng.chance(0.2);
     if blind {
@@ -134,7 +134,7 @@ fn dress_window(s: &mut Setter<'_>, side: usize, window: (f32, f32), heights: (f
 }
 
 /// Hangs an object on a wall where it may cover a window.
-fn hang_over(s: &mut Setter<'_>, object: &Draft, side: usize, along: f32, z: f32) -> Option<usize> {
+fn hang_over(s: &mut Furnisher<'_>, object: &Draft, side: usize, along: f32, z: f32) -> Option<usize> {
     let wall: &Side = &s.space.sides[side];
     let size = object.size();
     // Farther off the wall than the sill board's joint and the skirting.
@@ -149,7 +149,7 @@ fn hang_over(s: &mut Setter<'_>, object: &Draft, side: usize, along: f32, z: f32
     free.then(|| s.add(object, area.centre(), z, facing, Support::Wall))
 }
 
-fn sockets(s: &mut Setter<'_>) {
+fn sockets(s: &mut Furnisher<'_>) {
     let count = match s.kind() {
         RoomKind::Living | RoomKind::Kitchen => 4,
         RoomKind::Bedroom | RoomKind::Kids | RoomKind::Study => 3,
@@ -163,7 +163,7 @@ fn sockets(s: &mut Setter<'_>) {
 }
 
 /// Hangs pictures, a clock and shelves where the wall is free.
-fn pictures(s: &mut Setter<'_>) {
+fn pictures(s: &mut Furnisher<'_>) {
     let (most, shelves) = match s.kind() {
         RoomKind::Living => (4, 0.4),
         RoomKind::Bedroom | RoomKind::Kids | RoomKind::Study => (2, 0.35),

@@ -1,6 +1,6 @@
 //! Kitchens: a run of units along one or two walls, wall cabinets above it, a table if it fits.
 
-use super::Setter;
+use super::Furnisher;
 use super::place::{Need, Spot};
 use super::space::OFF_WALL;
 use crate::area::{Area, Facing};
@@ -27,7 +27,7 @@ const fn unit(class: &'static str, widths: &'static [f32], required: bool) -> Un
     Unit { class, widths, height: TOP, required }
 }
 
-pub(super) fn furnish(s: &mut Setter<'_>) -> Result<(), SpecificationError> {
+pub(super) fn furnish(s: &mut Furnisher<'_>) -> Result<(), SpecificationError> {
     let large = s.space.square_metres > 7.5 && s.kind() == RoomKind::Kitchen;
     let fridge = Unit { class: "fridge", widths: &[0.7, 0.6], height: s.rng.between(1.6, 1.95), required: true };
     let mut units =
@@ -62,7 +62,7 @@ pub(super) fn furnish(s: &mut Setter<'_>) -> Result<(), SpecificationError> {
 
 /// Places the whole run; if that fails, only the required units; if that fails, these in their
 /// narrowest widths.
-fn place_any(s: &mut Setter<'_>, mut units: Vec<Unit>) -> Result<Vec<usize>, SpecificationError> {
+fn place_any(s: &mut Furnisher<'_>, mut units: Vec<Unit>) -> Result<Vec<usize>, SpecificationError> {
     if let Ok(run) = place_run(s, &units) {
         return Ok(run);
     }
@@ -83,7 +83,7 @@ fn place_any(s: &mut Setter<'_>, mut units: Vec<Unit>) -> Result<Vec<usize>, Spe
 
 /// Places the units side by side: along the wall that accommodates most of them, the rest along
 /// others.
-fn place_run(s: &mut Setter<'_>, units: &[Unit]) -> Result<Vec<usize>, SpecificationError> {
+fn place_run(s: &mut Furnisher<'_>, units: &[Unit]) -> Result<Vec<usize>, SpecificationError> {
     let mut best: Option<Run> = None;
     let tries = s.space.sides.len() * 2;
     // Made once, because every attempt uses the same objects.
@@ -115,7 +115,7 @@ fn place_run(s: &mut Setter<'_>, units: &[Unit]) -> Result<Vec<usize>, Specifica
 /// Lays the units out from one end of a wall, temporarily reserving their space in the room; `None`
 /// as soon as a required unit has no place or the run cannot have more than `beaten` units.
 fn lay_run(
-    s: &mut Setter<'_>,
+    s: &mut Furnisher<'_>,
     units: &[Unit],
     made: &[Vec<Draft>],
     first: usize,
@@ -155,7 +155,7 @@ fn lay_run(
 }
 
 /// The first free spot along a wall from a distance on, and its end.
-fn next_spot(s: &Setter<'_>, side: usize, from: f32, object: &Draft, backwards: bool) -> Option<(Spot, f32)> {
+fn next_spot(s: &Furnisher<'_>, side: usize, from: f32, object: &Draft, backwards: bool) -> Option<(Spot, f32)> {
     let wall = &s.space.sides[side];
     let size = object.size();
     let need = Need::front(0.9);
@@ -179,7 +179,7 @@ fn next_spot(s: &Setter<'_>, side: usize, from: f32, object: &Draft, backwards: 
 }
 
 /// Hangs wall cabinets and the hood above the run.
-fn upper(s: &mut Setter<'_>, run: &[usize]) {
+fn upper(s: &mut Furnisher<'_>, run: &[usize]) {
     let bottom = s.rng.between(1.42, 1.5);
     let height = (s.space.ceiling - bottom - 0.25).clamp(0.5, 0.75);
     for &index in run {
@@ -202,7 +202,7 @@ fn upper(s: &mut Setter<'_>, run: &[usize]) {
 }
 
 /// The wall that an area stands against.
-pub(super) fn side_behind(s: &Setter<'_>, area: &Area, facing: Facing) -> Option<usize> {
+pub(super) fn side_behind(s: &Furnisher<'_>, area: &Area, facing: Facing) -> Option<usize> {
     let (cx, cy) = area.centre();
     let along = if facing.is_along_x() { cy } else { cx };
     let back = facing.turned(2).before(area, 0.0).centre();

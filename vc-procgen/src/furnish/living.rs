@@ -1,8 +1,9 @@
 //! Living rooms: seats facing the television, a dining area, shelves.
 
+use nalgebra::Vector3;
 use vc_shapes::object::Object;
 
-use super::Setter;
+use super::Furnisher;
 use super::place::{Need, Spot};
 use super::space::Solid;
 use crate::area::{Area, Facing};
@@ -10,7 +11,7 @@ use crate::draft::Draft;
 use crate::error::SpecificationError;
 use crate::item::Support;
 
-pub(super) fn furnish(s: &mut Setter<'_>, open_kitchen: bool) -> Result<(), SpecificationError> {
+pub(super) fn furnish(s: &mut Furnisher<'_>, open_kitchen: bool) -> Result<(), SpecificationError> {
     sitting(s)?;
     if open_kitchen || s.space.square_metres > 15.0 {
         dining(s, if s.space.square_metres > 24.0 { 6 } else { 4 });
@@ -33,7 +34,7 @@ pub(super) fn furnish(s: &mut Setter<'_>, open_kitchen: bool) -> Result<(), Spec
 }
 
 /// Furnishes a studio: bed, kitchen, table, and a sofa if it fits.
-pub(super) fn furnish_studio(s: &mut Setter<'_>) -> Result<(), SpecificationError> {
+pub(super) fn furnish_studio(s: &mut Furnisher<'_>) -> Result<(), SpecificationError> {
     super::kitchen::furnish(s)?;
     super::bedroom::furnish(s)?;
     if sitting(s).is_err() {
@@ -52,7 +53,7 @@ pub(super) fn furnish_studio(s: &mut Setter<'_>) -> Result<(), SpecificationErro
 }
 
 /// Ensures that there is a table: a small one if none has been placed yet.
-fn table(s: &mut Setter<'_>) -> Result<(), SpecificationError> {
+fn table(s: &mut Furnisher<'_>) -> Result<(), SpecificationError> {
     let tables = ["coffee_table", "side_table", "dining_table"];
     if let Some(at) = s.items.iter().position(|i| tables.contains(&i.object.class)) {
         s.items[at].required = true;
@@ -65,7 +66,7 @@ fn table(s: &mut Setter<'_>) -> Result<(), SpecificationError> {
 }
 
 /// Places a sofa facing a television stand across a coffee table.
-fn sitting(s: &mut Setter<'_>) -> Result<(), SpecificationError> {
+fn sitting(s: &mut Furnisher<'_>) -> Result<(), SpecificationError> {
     let square = s.space.square_metres;
     let widths: &[f32] = if square > 22.0 { &[2.3, 2.0, 1.7, 1.5] } else { &[1.9, 1.6, 1.4] };
     let depth = s.rng.between(0.86, 0.96);
@@ -94,7 +95,7 @@ fn sitting(s: &mut Setter<'_>) -> Result<(), SpecificationError> {
 }
 
 /// Places the stand at a wall and the sofa opposite, against its own wall or free in the room.
-fn group(s: &mut Setter<'_>, sofa: &Draft, stand: &Draft) -> Option<usize> {
+fn group(s: &mut Furnisher<'_>, sofa: &Draft, stand: &Draft) -> Option<usize> {
     let need = Need::front(0.5);
     let mut spots: Vec<Spot> = s.spots(stand, need);
     spots.retain(|spot| spot.sill.is_none());
@@ -103,7 +104,7 @@ fn group(s: &mut Setter<'_>, sofa: &Draft, stand: &Draft) -> Option<usize> {
     for spot in spots.into_iter().take(24) {
         for distance in [1.9, 2.3, 2.7, 3.1, 3.5] {
             let Some((centre, value)) = sofa_place(s, sofa, &spot, distance) else { continue };
-            let seat = Setter::around(centre, sofa.size(), spot.facing);
+            let seat = Furnisher::around(centre, sofa.size(), spot.facing);
             let better = best.as_ref().is_none_or(|(b, ..)| value > *b);
             if better && s.space.walk.stays_open(&[spot.area, seat]) {
                 best = Some((value, spot, centre));
@@ -128,7 +129,7 @@ fn gap(a: &Area, b: &Area, facing: Facing) -> f32 {
 }
 
 /// The place of a sofa that faces a stand at a distance, with its score.
-fn sofa_place(s: &Setter<'_>, sofa: &Draft, stand: &Spot, distance: f32) -> Option<((f32, f32), f32)> {
+fn sofa_place(s: &Furnisher<'_>, sofa: &Draft, stand: &Spot, distance: f32) -> Option<((f32, f32), f32)> {
     let size = sofa.size();
     let (dx, dy) = stand.facing.step();
     let (sx, sy) = stand.area.centre();
@@ -136,7 +137,7 @@ fn sofa_place(s: &Setter<'_>, sofa: &Draft, stand: &Spot, distance: f32) -> Opti
     let half_stand = if stand.facing.is_along_x() { half_stand.0 } else { half_stand.1 } / 2.0;
     let reach = half_stand + distance + half_sofa;
     let centre = (sx + dx * reach, sy + dy * reach);
-    let area = Setter::around(centre, size, stand.facing);
+    let area = Furnisher::around(centre, size, stand.facing);
     let facing = stand.facing.turned(2);
     let view = facing.before(&area, distance);
     if !s.fits(area, 0.0, size.z, facing, Need::default()) || !s.space.is_clear(&view) {
@@ -154,13 +155,13 @@ fn sofa_place(s: &Setter<'_>, sofa: &Draft, stand: &Spot, distance: f32) -> Opti
 }
 
 /// Whether a wall is within 25 cm behind an area that faces a direction.
-fn behind_wall(s: &Setter<'_>, area: &Area, facing: Facing) -> bool {
+fn behind_wall(s: &Furnisher<'_>, area: &Area, facing: Facing) -> bool {
     let probe = facing.turned(2).before(area, 0.25);
     !s.space.is_floor(&probe) && s.space.is_floor(&facing.turned(2).before(area, 0.015))
 }
 
 /// Places a table in front of the sofa, sometimes on a rug.
-fn coffee_table(s: &mut Setter<'_>, sofa: &Area, facing: Facing, gap: f32) {
+fn coffee_table(s: &mut Furnisher<'_>, sofa: &Area, facing: Facing, gap: f32) {
     let width = if facing.is_along_x() { sofa.size().1 } else { sofa.size().0 };
     let depth = (gap - 1.05).clamp(0.4, 0.65);
     let Some(table) = s.make("coffee_table", [depth, (width * 0.6).clamp(0.6, 1.2), 0.42]) else { return };
@@ -176,7 +177,7 @@ fn coffee_table(s: &mut Setter<'_>, sofa: &Area, facing: Facing, gap: f32) {
         let (dx, dy) = facing.step();
         let centre = (spot.centre().0 + dx * 0.03, spot.centre().1 + dy * 0.03);
         let flat = rug.size();
-        let solid = Solid { area: Setter::around(centre, flat, facing), low: 0.0, high: flat.z };
+        let solid = Solid { area: Furnisher::around(centre, flat, facing), low: 0.0, high: flat.z };
         let swing = s.space.ways.iter().any(|w| w.overlaps(&solid.area));
         if s.space.is_floor(&solid.area) && s.space.is_empty(&solid) && !swing {
             let index = s.add(&rug, centre, 0.0, facing, Support::Floor);
@@ -195,7 +196,7 @@ fn coffee_table(s: &mut Setter<'_>, sofa: &Area, facing: Facing, gap: f32) {
         }
     }
     let centre = before.centre();
-    let solid = Solid { area: Setter::around(centre, size, facing), low: z, high: z + size.z };
+    let solid = Solid { area: Furnisher::around(centre, size, facing), low: z, high: z + size.z };
     if s.space.is_off_ways(&solid) && s.space.stays_open(&solid) {
         s.add(&table, centre, z, facing, support);
     }
@@ -207,7 +208,7 @@ pub(super) fn surface_of(object: &Object) -> Option<usize> {
 }
 
 /// Places a side table next to the sofa.
-fn beside(s: &mut Setter<'_>, sofa: &Area, facing: Facing) {
+fn beside(s: &mut Furnisher<'_>, sofa: &Area, facing: Facing) {
     let Some(table) = s.make("side_table", [0.45, 0.45, 0.52]) else { return };
     let size = table.size();
     let wide = size.y + 0.05;
@@ -231,14 +232,14 @@ fn size_across(area: &Area, facing: Facing) -> f32 {
     if facing.is_along_x() { area.size().1 } else { area.size().0 }
 }
 
-fn floor_lamp(s: &mut Setter<'_>) {
+fn floor_lamp(s: &mut Furnisher<'_>) {
     if s.rng.chance(0.7) {
         s.first_against("floor_lamp", &[[0.4, 0.4, 1.6]], Need::default(), |_, spot| (0.5 - spot.corner).max(0.0));
     }
 }
 
 /// Places a table with chairs around it, free in the room or with one end at a wall.
-pub(super) fn dining(s: &mut Setter<'_>, places: usize) {
+pub(super) fn dining(s: &mut Furnisher<'_>, places: usize) {
     let options: &[(f32, f32, usize)] = match places {
         6 => &[(1.8, 0.9, 6), (1.6, 0.9, 6), (1.3, 0.8, 4), (0.8, 0.8, 2)],
         4 => &[(1.3, 0.8, 4), (1.2, 0.75, 4), (0.8, 0.75, 2)],
@@ -256,7 +257,7 @@ pub(super) fn dining(s: &mut Setter<'_>, places: usize) {
 }
 
 /// Places a small table with its long side against a wall and chairs at the other side.
-fn at_wall(s: &mut Setter<'_>, chair: &Draft) {
+fn at_wall(s: &mut Furnisher<'_>, chair: &Draft) {
     for (depth, length) in [(0.75, 1.2), (0.65, 0.8)] {
         let Some(table) = s.make("dining_table", [depth, length, 0.75]) else { return };
         let need = Need::front(chair.size().x + 0.35);
@@ -269,43 +270,11 @@ fn at_wall(s: &mut Setter<'_>, chair: &Draft) {
     }
 }
 
-fn dining_at(s: &mut Setter<'_>, table: &Draft, chair: &Draft, seats: usize) -> bool {
+/// Places a table with chairs along both long sides, and with space to walk behind them.
+fn dining_at(s: &mut Furnisher<'_>, table: &Draft, chair: &Draft, seats: usize) -> bool {
     let size = table.size();
-    let sit = chair.size().x + 0.1;
-    // Chairs stand along both long sides, with space to walk behind them.
-    let need = sit + 0.25;
-    let mut best: Option<(f32, (f32, f32), Facing)> = None;
-    let hull = s.space.net.iter().map(Area::from_rect).reduce(|a, b| Area {
-        x0: a.x0.min(b.x0),
-        y0: a.y0.min(b.y0),
-        x1: a.x1.max(b.x1),
-        y1: a.y1.max(b.y1),
-    });
-    let Some(hull) = hull else { return false };
-    for _ in 0..60 {
-        let centre = (s.rng.between(hull.x0, hull.x1), s.rng.between(hull.y0, hull.y1));
-        let facing = Facing(s.rng.below(2) as u8);
-        let mut area = Setter::around(centre, size, facing);
-        if !s.space.is_floor(&area) {
-            continue;
-        }
-        area = snapped(s, area, facing, need);
-        let zone = facing.turned(2).before(&facing.before(&area, need), 0.0);
-        let front = facing.before(&area, need);
-        let back = facing.turned(2).before(&area, need);
-        let solid = Solid { area, low: 0.0, high: size.z };
-        let fits = s.space.is_free(&solid) && s.space.is_clear(&front) && s.space.is_clear(&back) && zone.x1 >= zone.x0;
-        let kept = s.space.zones.iter().any(|z| z.overlaps(&front) || z.overlaps(&back));
-        let ways = s.space.ways.iter().any(|z| z.overlaps(&front) || z.overlaps(&back));
-        if !fits || kept || ways {
-            continue;
-        }
-        let value = s.space.door_distance(&area).min(1.5);
-        if best.as_ref().is_none_or(|(b, ..)| value > *b) && s.space.stays_open(&solid) {
-            best = Some((value, area.centre(), facing));
-        }
-    }
-    let Some((_, centre, facing)) = best else { return false };
+    let need = chair.size().x + 0.1 + 0.25;
+    let Some((centre, facing)) = table_place(s, size, need) else { return false };
     let index = s.add(table, centre, 0.0, facing, Support::Floor);
     let area = s.item(index).area();
     let per_side = seats / 2;
@@ -320,8 +289,45 @@ fn dining_at(s: &mut Setter<'_>, table: &Draft, chair: &Draft, seats: usize) -> 
     true
 }
 
+/// The centre and facing of a table with free floor of a depth before both long sides, the farthest from doors of
+/// those drawn.
+fn table_place(s: &mut Furnisher<'_>, size: Vector3<f32>, need: f32) -> Option<((f32, f32), Facing)> {
+    let mut best: Option<(f32, (f32, f32), Facing)> = None;
+    let hull = s.space.net.iter().map(Area::from_rect).reduce(|a, b| Area {
+        x0: a.x0.min(b.x0),
+        y0: a.y0.min(b.y0),
+        x1: a.x1.max(b.x1),
+        y1: a.y1.max(b.y1),
+    })?;
+    for _ in 0..60 {
+        let centre = (s.rng.between(hull.x0, hull.x1), s.rng.between(hull.y0, hull.y1));
+        let facing = Facing(s.rng.below(2) as u8);
+        let area = Furnisher::around(centre, size, facing);
+        if !s.space.is_floor(&area) {
+            continue;
+        }
+        let area = snapped(s, area, facing);
+        let solid = Solid { area, low: 0.0, high: size.z };
+        if !has_free_sides(s, &solid, facing, need) {
+            continue;
+        }
+        let value = s.space.door_distance(&area).min(1.5);
+        if best.as_ref().is_none_or(|(b, ..)| value > *b) && s.space.stays_open(&solid) {
+            best = Some((value, area.centre(), facing));
+        }
+    }
+    best.map(|(_, centre, facing)| (centre, facing))
+}
+
+/// Whether a table and the floor before its long sides are free, and no door or passage needs that floor.
+fn has_free_sides(s: &Furnisher<'_>, table: &Solid, facing: Facing, need: f32) -> bool {
+    let sides = [facing, facing.turned(2)].map(|side| side.before(&table.area, need));
+    let needed = |area: &Area| s.space.zones.iter().chain(&s.space.ways).any(|zone| zone.overlaps(area));
+    s.space.is_free(table) && sides.iter().all(|side| s.space.is_clear(side) && !needed(side))
+}
+
 /// Moves a table against a wall at one of its ends if it is close to it.
-fn snapped(s: &Setter<'_>, area: Area, facing: Facing, _need: f32) -> Area {
+fn snapped(s: &Furnisher<'_>, area: Area, facing: Facing) -> Area {
     for end in [facing.turned(1), facing.turned(3)] {
         let probe = end.before(&area, 0.6);
         if !s.space.is_floor(&probe) {

@@ -76,9 +76,9 @@ pub(crate) fn furnish(
         let space = Space::new(plan, index);
         let own = seed.child("furnish").nth(index as u64);
         let dealt = (0..DEALS).try_fold(None, |_, deal| {
-            let mut setter = Setter::new(index, style, own.nth(deal), space.clone(), items.len());
-            match furnish_room(&mut setter, plan, open_kitchen) {
-                Ok(()) => ControlFlow::Break((setter.items, setter.drafts)),
+            let mut furnisher = Furnisher::new(index, style, own.nth(deal), space.clone(), items.len());
+            match furnish_room(&mut furnisher, plan, open_kitchen) {
+                Ok(()) => ControlFlow::Break((furnisher.items, furnisher.drafts)),
                 Err(error) => ControlFlow::Continue(Some(error)),
             }
         });
@@ -112,7 +112,7 @@ fn unwalkable(plan: &FloorPlan, room: usize) -> SpecificationError {
     SpecificationError::NoPlace { kind: plan.rooms[room].kind, room, piece: "way to walk" }
 }
 
-fn furnish_room(s: &mut Setter<'_>, plan: &FloorPlan, open_kitchen: bool) -> Result<(), SpecificationError> {
+fn furnish_room(s: &mut Furnisher<'_>, plan: &FloorPlan, open_kitchen: bool) -> Result<(), SpecificationError> {
     if !s.space.walk.stays_open(&[]) {
         return Err(unwalkable(plan, s.room));
     }
@@ -129,7 +129,7 @@ fn furnish_room(s: &mut Setter<'_>, plan: &FloorPlan, open_kitchen: bool) -> Res
 }
 
 /// Places objects in one room.
-struct Setter<'a> {
+struct Furnisher<'a> {
     room: usize,
     style: &'a Style,
     seed: Seed,
@@ -145,13 +145,13 @@ struct Setter<'a> {
     made: u64,
 }
 
-impl<'a> Setter<'a> {
+impl<'a> Furnisher<'a> {
     fn new(room: usize, style: &'a Style, seed: Seed, space: Space, base: usize) -> Self {
         Self { room, style, seed, rng: seed.stream(), space, base, items: Vec::new(), drafts: Vec::new(), made: 0 }
     }
 }
 
-impl Setter<'_> {
+impl Furnisher<'_> {
     fn kind(&self) -> RoomKind {
         self.space.kind
     }

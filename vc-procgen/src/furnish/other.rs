@@ -1,6 +1,6 @@
 //! Halls, studies, laundries, stores and balconies; plants and baskets everywhere.
 
-use super::Setter;
+use super::Furnisher;
 use super::bedroom::{bookcase, desk, in_corner};
 use super::place::Need;
 use super::space::Solid;
@@ -8,7 +8,7 @@ use crate::draft::Draft;
 use crate::error::SpecificationError;
 use crate::plan::RoomKind;
 
-pub(super) fn furnish(s: &mut Setter<'_>) -> Result<(), SpecificationError> {
+pub(super) fn furnish(s: &mut Furnisher<'_>) -> Result<(), SpecificationError> {
     match s.kind() {
         RoomKind::Hall => hall(s),
         RoomKind::Study => return study(s),
@@ -20,7 +20,7 @@ pub(super) fn furnish(s: &mut Setter<'_>) -> Result<(), SpecificationError> {
 }
 
 /// Furnishes a hall with a shoe cabinet, coat hooks and a mirror, as long as one can pass.
-fn hall(s: &mut Setter<'_>) {
+fn hall(s: &mut Furnisher<'_>) {
     let pass = Need::front(0.72);
     let width = s.rng.between(0.6, 1.0);
     s.first_against("shoe_cabinet", &[[0.3, width, 0.9], [0.2, 0.7, 0.9]], pass, |_, _| 0.0);
@@ -40,7 +40,7 @@ fn hall(s: &mut Setter<'_>) {
 }
 
 /// Hangs a coat rack where there is space for the coats and to pass them.
-fn hooks(s: &mut Setter<'_>) {
+fn hooks(s: &mut Furnisher<'_>) {
     let Some(rack) = s.make("wall_hook_rack", [0.08, 0.6, 0.15]) else { return };
     let width = rack.size().y;
     for _ in 0..24 {
@@ -61,7 +61,7 @@ fn hooks(s: &mut Setter<'_>) {
     }
 }
 
-fn study(s: &mut Setter<'_>) -> Result<(), SpecificationError> {
+fn study(s: &mut Furnisher<'_>) -> Result<(), SpecificationError> {
     let index = desk(s, 1.2).ok_or_else(|| s.missing("desk"))?;
     s.item(index).required = true;
     bookcase(s);
@@ -79,7 +79,7 @@ fn study(s: &mut Setter<'_>) -> Result<(), SpecificationError> {
     Ok(())
 }
 
-fn laundry(s: &mut Setter<'_>) -> Result<(), SpecificationError> {
+fn laundry(s: &mut Furnisher<'_>) -> Result<(), SpecificationError> {
     let washer =
         s.first_against("washing_machine", &[[0.6, 0.6, 0.85], [0.5, 0.58, 0.85]], Need::front(0.55), in_corner);
     let washer = washer.ok_or_else(|| s.missing("washing machine"))?;
@@ -95,7 +95,7 @@ fn laundry(s: &mut Setter<'_>) -> Result<(), SpecificationError> {
     Ok(())
 }
 
-fn storage(s: &mut Setter<'_>) -> Result<(), SpecificationError> {
+fn storage(s: &mut Furnisher<'_>) -> Result<(), SpecificationError> {
     let sizes = [[0.4, 1.0, 1.8], [0.35, 0.8, 1.7], [0.3, 0.6, 1.6], [0.28, 0.5, 1.5]];
     let shelf = s.first_against("storage_shelf", &sizes, Need::front(0.5), in_corner);
     let shelf = shelf.ok_or_else(|| s.missing("shelf"))?;
@@ -107,7 +107,7 @@ fn storage(s: &mut Setter<'_>) -> Result<(), SpecificationError> {
     Ok(())
 }
 
-fn balcony(s: &mut Setter<'_>) {
+fn balcony(s: &mut Furnisher<'_>) {
     if s.rng.chance(0.7) {
         s.first_against("bistro_table", &[[0.55, 0.55, 0.72]], Need::default(), in_corner);
         for _ in 0..2 {
@@ -122,7 +122,7 @@ fn balcony(s: &mut Setter<'_>) {
 }
 
 /// Places a plant in a corner or by a window, with a probability.
-pub(super) fn plant(s: &mut Setter<'_>, chance: f32) {
+pub(super) fn plant(s: &mut Furnisher<'_>, chance: f32) {
     if s.rng.chance(chance) {
         let (side, height) = (s.rng.between(0.3, 0.5), s.rng.between(0.6, 1.5));
         s.first_against("houseplant", &[[side, side, height]], Need::default(), |_, spot| {
@@ -132,7 +132,7 @@ pub(super) fn plant(s: &mut Setter<'_>, chance: f32) {
 }
 
 /// Places a small basket or bin in a corner, with a probability.
-pub(super) fn basket(s: &mut Setter<'_>, class: &str, chance: f32) {
+pub(super) fn basket(s: &mut Furnisher<'_>, class: &str, chance: f32) {
     if s.rng.chance(chance) {
         s.first_against(class, &[[0.36, 0.4, 0.5], [0.28, 0.28, 0.35]], Need::front(0.35), |_, spot| {
             (0.4 - spot.corner).max(0.0)
@@ -141,7 +141,7 @@ pub(super) fn basket(s: &mut Setter<'_>, class: &str, chance: f32) {
 }
 
 /// Hangs an object on a wall at a height, at the first free one of several random positions.
-pub(super) fn hang_somewhere(s: &mut Setter<'_>, object: Option<Draft>, z: f32) -> Option<usize> {
+pub(super) fn hang_somewhere(s: &mut Furnisher<'_>, object: Option<Draft>, z: f32) -> Option<usize> {
     let object = object?;
     (0..24).find_map(|_| {
         let side = s.rng.below(s.space.sides.len());

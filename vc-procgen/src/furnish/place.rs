@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use super::Setter;
+use super::Furnisher;
 use super::space::{OFF_WALL, Side, Solid};
 use crate::area::{Area, Facing};
 use crate::draft::Draft;
@@ -47,7 +47,7 @@ impl Need {
     }
 }
 
-impl Setter<'_> {
+impl Furnisher<'_> {
     /// The spots along all walls where an object can stand with its back to the wall.
     pub(super) fn spots(&self, object: &Draft, need: Need) -> Vec<Spot> {
         let size = object.size();

@@ -154,7 +154,7 @@ fn at(opening: &PlanOpening, along: f32, across: f32) -> Point {
 /// Draws the gap of an opening in its wall, with the panes of a window.
 fn cut(canvas: &mut Canvas, plan: &FloorPlan, opening: &PlanOpening) {
     let hole = doorway(plan, opening);
-    let inside = [opening.low, opening.high].into_iter().flatten().map(|r| plan.rooms[r].kind);
+    let inside = [opening.low, opening.high].into_iter().filter_map(|room| plan.kind_of(room));
     let floor = inside.filter(|&k| k != RoomKind::Balcony).map(tint).next().unwrap_or(Colour::WHITE);
     let glazed = matches!(opening.kind, OpeningKind::Window | OpeningKind::BalconyDoor);
     fill(canvas, &hole, Ink::filled(if glazed { Colour::WHITE } else { floor }));

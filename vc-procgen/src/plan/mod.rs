@@ -232,6 +232,11 @@ impl FloorPlan {
         self.rooms.iter().filter(|r| r.kind != RoomKind::Balcony).map(Room::area).sum()
     }
 
+    /// The kind of the room on a side of an opening; `None` for the outside.
+    pub(crate) fn kind_of(&self, side: Option<usize>) -> Option<RoomKind> {
+        self.rooms.get(side?).map(|room| room.kind)
+    }
+
     /// The doors and passages of a room.
     ///
     /// ```

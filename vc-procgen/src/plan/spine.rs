@@ -290,16 +290,8 @@ impl Draft<'_> {
         shallow: bool,
         rng: &mut Stream,
     ) -> Option<()> {
-        let bands = [(&mut *souths, frame.south), (&mut norths[..], frame.north)];
-        for (band, depth) in bands {
-            for cell in band {
-                let Some(main) = cell.wish else { continue };
-                let notches = cell.notches.iter().flatten();
-                let area = self.gross(main) + notches.clone().map(Notch::area).sum::<f32>();
-                let passage = notches.filter(|n| !n.outside).map(|n| n.width).sum::<i32>() + DOOR;
-                cell.width = ((area / depth as f32).round() as i32).max(passage).max(least_width(self.wish(main).kind));
-            }
-        }
+        self.widen(souths, frame.south);
+        self.widen(norths, frame.north);
         let fixed: i32 = souths.iter().rev().skip(1).map(|c| c.width).sum();
         let living = souths.last()?.width;
         let mut north: i32 = norths.iter().map(|c| c.width).sum();
@@ -308,25 +300,7 @@ impl Draft<'_> {
             norths.insert(rng.below(norths.len() + 1), Cell { wish: None, notches: [None; 2], x: 0, width });
             north += width;
         }
-        let bears = |width: i32| width >= living * 4 / 5 && width <= living * 5 / 4;
-        let mut width = living;
-        if bears(north - fixed) {
-            width = north - fixed;
-        } else {
-            let spare = fixed + living - north;
-            let cut = matches!(self.scheme, Scheme::LPlan | Scheme::OpenPlan | Scheme::Bar);
-            if spare <= 0 || !cut || spare < 30 || north == 0 {
-                return None;
-            }
-            if self.scheme != Scheme::LPlan {
-                // The living room extends through the strip: less of it lies in the south.
-                let through = spare as f32 * frame.north as f32 / (frame.south + frame.north) as f32;
-                width = (living - through as i32).max(60);
-                if fixed + width - north < 30 {
-                    return None;
-                }
-            }
-        }
+        let width = self.living_width(living, fixed, north, frame)?;
         if let Some(last) = souths.last_mut() {
             last.width = width;
         }
@@ -340,6 +314,38 @@ impl Draft<'_> {
             }
         }
         Some(())
+    }
+
+    /// Gives the rooms of a band the widths that their areas and doors need.
+    fn widen(&self, band: &mut [Cell], depth: i32) {
+        for cell in band {
+            let Some(main) = cell.wish else { continue };
+            let notches = cell.notches.iter().flatten();
+            let area = self.gross(main) + notches.clone().map(Notch::area).sum::<f32>();
+            let passage = notches.filter(|n| !n.outside).map(|n| n.width).sum::<i32>() + DOOR;
+            cell.width = ((area / depth as f32).round() as i32).max(passage).max(least_width(self.wish(main).kind));
+        }
+    }
+
+    /// The width of the living room in the south, where the other rooms there are `fixed` and those in the north
+    /// `north` cells wide: as wide as makes both bands equal, if it bears that.
+    fn living_width(&self, living: i32, fixed: i32, north: i32, frame: &Frame) -> Option<i32> {
+        let bears = |width: i32| width >= living * 4 / 5 && width <= living * 5 / 4;
+        if bears(north - fixed) {
+            return Some(north - fixed);
+        }
+        let spare = fixed + living - north;
+        let cut = matches!(self.scheme, Scheme::LPlan | Scheme::OpenPlan | Scheme::Bar);
+        if spare <= 0 || !cut || spare < 30 || north == 0 {
+            return None;
+        }
+        if self.scheme == Scheme::LPlan {
+            return Some(living);
+        }
+        // The living room extends through the strip: less of it lies in the south.
+        let through = spare as f32 * frame.north as f32 / (frame.south + frame.north) as f32;
+        let width = (living - through as i32).max(60);
+        (fixed + width - north >= 30).then_some(width)
     }
 
     /// Determines the extent of the hall, and whether the first cell of the south (`false`) or north
@@ -364,25 +370,7 @@ impl Draft<'_> {
         let takers: SmallVec<[bool; 2]> =
             [false, true].into_iter().filter(|&n| first(if n { norths } else { souths })).collect();
         let taker = if open_west { rng.pick(&takers).copied() } else { None };
-        let mut low = length;
-        let mut high = 0;
-        for (north, cells) in [(false, souths), (true, norths)] {
-            for (at, cell) in cells.iter().enumerate() {
-                if cell.wish == Some(0) {
-                    continue;
-                }
-                let kitchen = cell.wish.is_some_and(|w| self.wish(w).kind == RoomKind::Kitchen);
-                for (from, to, main) in cell.frontages() {
-                    if !(main && at == 0 && taker == Some(north)) {
-                        low = low.min(to - DOOR);
-                    }
-                    // A kitchen may open to the living room's part of the strip.
-                    if !(main && kitchen && open_east) {
-                        high = high.max(from + DOOR);
-                    }
-                }
-            }
-        }
+        let (low, mut high) = self.doors_along(souths, norths, length, (taker, open_east));
         frame.from = if taker.is_some() && low >= 22 { low } else { 0 };
         high = (high + rng.below(8) as i32).max(frame.from + DOOR);
         let living = souths.last()?;
@@ -396,6 +384,35 @@ impl Draft<'_> {
             frame.to = frame.reach.max(high);
         }
         (self.scheme != Scheme::OpenPlan || frame.to < length).then_some(taker.filter(|_| frame.from > 0))
+    }
+
+    /// The first and last ends of the hall with which every room can have its door, where the main room of a band takes
+    /// the strip west of it, and the living room may have the east.
+    fn doors_along(
+        &self,
+        souths: &[Cell],
+        norths: &[Cell],
+        length: i32,
+        (taker, open_east): (Option<bool>, bool),
+    ) -> (i32, i32) {
+        let (mut low, mut high) = (length, 0);
+        let cells = souths.iter().enumerate().map(|(at, cell)| (false, at, cell));
+        for (north, at, cell) in cells.chain(norths.iter().enumerate().map(|(at, cell)| (true, at, cell))) {
+            if cell.wish == Some(0) {
+                continue;
+            }
+            let kitchen = cell.wish.is_some_and(|w| self.wish(w).kind == RoomKind::Kitchen);
+            for (from, to, main) in cell.frontages() {
+                if !(main && at == 0 && taker == Some(north)) {
+                    low = low.min(to - DOOR);
+                }
+                // A kitchen may open to the living room's part of the strip.
+                if !(main && kitchen && open_east) {
+                    high = high.max(from + DOOR);
+                }
+            }
+        }
+        (low, high)
     }
 
     /// Writes the rectangles of all rooms.

@@ -34,20 +34,20 @@ pub enum Tolerance {
 #[non_exhaustive]
 pub struct ReferenceComparison {
     /// The name of the quantity.
-    pub what: String,
+    pub quantity: String,
     /// The measured value; `None` where no home has one.
     pub measured: Option<f64>,
     /// The value of real homes.
     pub reference: f64,
     /// The tolerance.
-    pub bar: Tolerance,
+    pub tolerance: Tolerance,
 }
 
 impl ReferenceComparison {
     /// Whether the tolerance is kept; `None` where there is nothing to compare.
     pub fn holds(&self) -> Option<bool> {
         let (measured, off) = (self.measured?, self.difference()?);
-        match self.bar {
+        match self.tolerance {
             Tolerance::Relative(share) => Some(off.abs() <= share * self.reference),
             Tolerance::Absolute(most) => Some(off.abs() <= most),
             Tolerance::AtLeast => Some(measured >= self.reference),
@@ -62,12 +62,12 @@ impl ReferenceComparison {
 
     fn row(&self) -> String {
         let figure = |v: Option<f64>| v.map_or_else(|| "-".to_owned(), |v| format!("{v:.2}"));
-        let off = match (self.difference(), self.bar) {
+        let off = match (self.difference(), self.tolerance) {
             (Some(d), Tolerance::Relative(_)) => format!("{:+.1} %", 100.0 * d / self.reference),
             (Some(d), _) => format!("{d:+.2}"),
             (None, _) => "-".to_owned(),
         };
-        let bar = match self.bar {
+        let tolerance = match self.tolerance {
             Tolerance::Relative(share) => format!("within {:.0} %", 100.0 * share),
             Tolerance::Absolute(most) => format!("within {most:.2}"),
             Tolerance::AtLeast => format!("at least {:.2}", self.reference),
@@ -75,7 +75,7 @@ impl ReferenceComparison {
         };
         let verdict = self.holds().map_or("", |holds| if holds { "yes" } else { "NO" });
         let (measured, reference) = (figure(self.measured), figure(Some(self.reference)));
-        format!("| {} | {measured} | {reference} | {off} | {bar} | {verdict} |", self.what)
+        format!("| {} | {measured} | {reference} | {off} | {tolerance} | {verdict} |", self.quantity)
     }
 }
 
@@ -90,20 +90,20 @@ impl Statistics {
         all.extend(self.pairs().into_iter().map(|(_, comparison)| comparison));
         all.extend(self.windows());
         all.extend(reference::DOORS_PER_ROOM.map(|(zone, reference)| ReferenceComparison {
-            what: format!("doors per {}", zone.name()),
+            quantity: format!("doors per {}", zone.name()),
             measured: self.comparable.doors_of(zone),
             reference,
-            bar: Tolerance::None,
+            tolerance: Tolerance::None,
         }));
         all
     }
 
     fn area_medians(&self) -> Vec<ReferenceComparison> {
         let medians = reference::AREAS.map(|(zone, [_, median, _])| ReferenceComparison {
-            what: format!("{} area, median m²", zone.name()),
+            quantity: format!("{} area, median m²", zone.name()),
             measured: self.comparable.areas.get(&zone).and_then(|s| s.quantile(0.5)).map(f64::from),
             reference: f64::from(median),
-            bar: Tolerance::Relative(0.15),
+            tolerance: Tolerance::Relative(0.15),
         });
         medians.into()
     }
@@ -116,10 +116,10 @@ impl Statistics {
             (
                 kind,
                 ReferenceComparison {
-                    what: format!("{kind} {}", pair(a, b)),
+                    quantity: format!("{kind} {}", pair(a, b)),
                     measured,
                     reference,
-                    bar: Tolerance::Absolute(0.05),
+                    tolerance: Tolerance::Absolute(0.05),
                 },
             )
         };
@@ -132,10 +132,10 @@ impl Statistics {
     fn windows(&self) -> Vec<ReferenceComparison> {
         let kinds = [RoomKind::Living, RoomKind::Bedroom, RoomKind::Kids];
         let rows = kinds.map(|kind| ReferenceComparison {
-            what: format!("{} with window or balcony door", kind.title().to_lowercase()),
+            quantity: format!("{} with window or balcony door", kind.title().to_lowercase()),
             measured: self.glazed(kind),
             reference: reference::WINDOWED,
-            bar: Tolerance::AtLeast,
+            tolerance: Tolerance::AtLeast,
         });
         rows.into()
     }
@@ -187,7 +187,10 @@ impl Statistics {
             text,
             "Ours: the {homes} homes with two or three bedrooms and as many bathrooms; windows: all homes.\n"
         )?;
-        writeln!(text, "| what | measured | reference | difference | bar | met |\n|---|---|---|---|---|---|")?;
+        writeln!(
+            text,
+            "| quantity | measured | reference | difference | tolerance | kept |\n|---|---|---|---|---|---|"
+        )?;
         self.compare().iter().try_for_each(|c| writeln!(text, "{}", c.row()))
     }
 }

@@ -164,7 +164,7 @@ impl Panel {
 /// Draws one row: name, bar from 0 to 1, mark of the reference, values.
 fn bar(canvas: &mut Canvas, y: f32, comparison: &ReferenceComparison) {
     let at = |share: f64| 290.0 + 420.0 * share as f32;
-    let (name, real) = (&comparison.what, comparison.reference);
+    let (name, real) = (&comparison.quantity, comparison.reference);
     canvas.text([270.0, y + 6.0], 12.0, Anchor::End, Colour::BLACK, name);
     canvas.rectangle([at(0.0), y], [at(1.0), y + 20.0], Ink::filled(Colour::hex(0xf1f2f4)));
     let ours = comparison.measured.unwrap_or(0.0);

@@ -35,7 +35,7 @@ impl ZoneStatistics {
         self.homes += 1;
         self.area.get_or_insert_with(|| Histogram::new(AREA)).add(plan.area());
         self.add_areas(plan);
-        let zone = |room: Option<usize>| room.and_then(|r| Zone::from_room_kind(plan.rooms[r].kind));
+        let zone = |room: Option<usize>| plan.kind_of(room).and_then(Zone::from_room_kind);
         let both = |a, b| zone(a).zip(zone(b)).filter(|&(a, b)| a != b || a != Zone::Living);
         let walls = plan.boundaries().into_iter().filter(|e| e.length() >= CONTACT).filter_map(|e| both(e.low, e.high));
         count(&mut self.walls, walls);

@@ -43,20 +43,25 @@ const HEAD: (f32, f32) = (0.005, 0.4);
 /// The links of an asset, the one without a joint first if there is one; the head of a `cover` is a separate
 /// link.
 ///
-/// `finish` gives the surface of a part.
-pub(crate) fn links(asset: &Asset, cover: bool, mut finish: impl FnMut(&Part) -> Finish) -> Vec<Link> {
+/// `finish` gives the surface of a part; its error is returned.
+pub(crate) fn links<E>(
+    asset: &Asset,
+    cover: bool,
+    mut finish: impl FnMut(&Part) -> Result<Finish, E>,
+) -> Result<Vec<Link>, E> {
     type Key = (Option<Joint>, bool);
     let whole = if cover { asset.extent().map(|(low, high)| (low.z, high.z)) } else { None };
     let mut groups: Vec<(Key, Vec<Finished>)> = vec![((None, false), Vec::new())];
     for (index, part) in asset.parts.iter().enumerate() {
-        let (own, key) = ((index, finish(part)), (part.joint, whole.is_some_and(|whole| is_head(part, whole))));
+        let (own, key) = ((index, finish(part)?), (part.joint, whole.is_some_and(|whole| is_head(part, whole))));
         match groups.iter_mut().find(|g| g.0 == key) {
             Some(group) => group.1.push(own),
             None => groups.push((key, vec![own])),
         }
     }
     groups.retain(|g| !g.1.is_empty());
-    groups.into_iter().map(|((joint, head), parts)| Link { joint, head, levels: levels(asset, &parts) }).collect()
+    let link = |((joint, head), parts): (Key, Vec<Finished>)| Link { joint, head, levels: levels(asset, &parts) };
+    Ok(groups.into_iter().map(link).collect())
 }
 
 /// Whether a part of a cover with these ends is its head.

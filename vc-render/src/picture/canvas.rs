@@ -1,6 +1,7 @@
 //! Pictures in memory.
 
-/// A picture in sRGB colours, rows from the top.
+/// A picture in sRGB colours, rows from the top. Drawing leaves out pixels that a picture lacks because its list is
+/// shorter than its size says; encoding refuses such a picture.
 ///
 /// ```
 /// use vc_render::picture::Picture;
@@ -34,10 +35,14 @@ impl Picture {
         if width == 0 {
             return;
         }
-        for row in 0..other.height.min(self.height.saturating_sub(y)) {
-            let to = (y + row) * self.width + x;
-            self.pixels[to..to + width].copy_from_slice(&other.pixels[row * other.width..][..width]);
-        }
+        let own = self.pixels.chunks_exact_mut(self.width).take(self.height).skip(y);
+        let others = other.pixels.chunks_exact(other.width).take(other.height);
+        own.zip(others).for_each(|(to, from)| to[x..x + width].copy_from_slice(&from[..width]));
+    }
+
+    /// Whether it has as many pixels as its size says.
+    pub(super) fn is_whole(&self) -> bool {
+        self.width.checked_mul(self.height) == Some(self.pixels.len())
     }
 
     /// Arranges pictures of one size in a grid of `columns` columns, with white margins of `margin` pixels. The
@@ -56,8 +61,8 @@ impl Picture {
 
     /// The picture shrunk by a factor along each side; each pixel becomes the mean light of a square of pixels.
     /// With colours rendered at a larger size, seams and bars thinner than a pixel do not look dashed.
-    /// Remaining pixels at the right and below are dropped. Linear in the pixels of the larger picture, in
-    /// parallel.
+    /// Remaining pixels at the right and below are dropped, and so are rows that lack pixels. Linear in the pixels
+    /// of the larger picture, in parallel.
     ///
     /// ```
     /// use vc_render::picture::Picture;
@@ -71,7 +76,8 @@ impl Picture {
     #[must_use]
     pub fn shrunk(&self, times: usize) -> Self {
         let times = times.max(1);
-        let (width, height) = (self.width / times, self.height / times);
+        let rows = self.height.min(self.pixels.len() / self.width.max(1));
+        let (width, height) = (self.width / times, rows / times);
         let mut whole = Self::new(width * times, height * times, [0; 3]);
         whole.paste(self, 0, 0);
         let mut small = Self { width, height, pixels: Vec::new() };
@@ -86,13 +92,16 @@ impl Picture {
         let Some(within) = of.within(self.width, self.height) else { return };
         let (x, y) = (within.x as usize, within.y as usize);
         let (right, bottom) = (x + within.width as usize - 1, y + within.height as usize - 1);
-        for column in x..=right {
-            self.pixels[y * self.width + column] = colour;
-            self.pixels[bottom * self.width + column] = colour;
-        }
-        for row in y..=bottom {
-            self.pixels[row * self.width + x] = colour;
-            self.pixels[row * self.width + right] = colour;
+        let across = (x..=right).flat_map(|column| [(column, y), (column, bottom)]);
+        let down = (y..=bottom).flat_map(|row| [(x, row), (right, row)]);
+        across.chain(down).for_each(|(x, y)| self.dot(x, y, colour));
+    }
+
+    /// Draws a pixel, if the picture has it.
+    fn dot(&mut self, x: usize, y: usize, colour: [u8; 3]) {
+        let row = self.pixels.chunks_mut(self.width.max(1)).take(self.height).nth(y);
+        if let Some(pixel) = row.and_then(|row| row.get_mut(x)) {
+            *pixel = colour;
         }
     }
 
@@ -106,8 +115,8 @@ impl Picture {
         for i in 0..=steps as usize {
             let at = |axis: usize| from[axis] + (to[axis] - from[axis]) * i as f32 / steps;
             let (x, y) = (at(0), at(1));
-            if x >= 0.0 && y >= 0.0 && (x as usize) < self.width && (y as usize) < self.height {
-                self.pixels[y as usize * self.width + x as usize] = colour;
+            if x >= 0.0 && y >= 0.0 {
+                self.dot(x as usize, y as usize, colour);
             }
         }
     }

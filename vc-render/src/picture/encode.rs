@@ -10,7 +10,7 @@ use crate::RenderError;
 /// all of the time.
 ///
 /// # Errors
-/// [`RenderError::Encoding`] for an empty picture.
+/// [`RenderError::Encoding`] for an empty picture, or one with more or fewer pixels than its size says.
 ///
 /// ```
 /// use vc_render::picture::{self, Picture};
@@ -27,7 +27,7 @@ pub fn png(picture: &Picture) -> Result<Vec<u8>, RenderError> {
 /// least one). Each costs as much as [`png()`] of it.
 ///
 /// # Errors
-/// [`RenderError::Encoding`] for no pictures, empty ones, or pictures of different size.
+/// [`RenderError::Encoding`] as for [`png()`], for no pictures, or for pictures of different size.
 ///
 /// ```
 /// use vc_render::picture::{self, Picture};
@@ -46,8 +46,8 @@ pub fn apng(pictures: &[Picture], per_second: u16) -> Result<Vec<u8>, RenderErro
 /// 0.2 microseconds for each pixel, in parallel; the bytes do not depend on the number of threads.
 ///
 /// # Errors
-/// [`RenderError::Encoding`] for no pictures, empty ones, pictures of different size, or of more than 65,535 pixels
-/// across.
+/// [`RenderError::Encoding`] as for [`png()`], for no pictures, pictures of different size, or of more than 65,535
+/// pixels along a side.
 ///
 /// ```
 /// use vc_render::picture::{self, Picture};
@@ -75,7 +75,7 @@ pub fn gif(pictures: &[Picture], per_second: u16) -> Result<Vec<u8>, RenderError
 /// Encodes a picture as JPEG of a `quality` from 1 to 100. Linear in its pixels.
 ///
 /// # Errors
-/// [`RenderError::Encoding`] for an empty picture, or one of more than 65,535 pixels along a side.
+/// [`RenderError::Encoding`] as for [`png()`], or for a picture of more than 65,535 pixels along a side.
 ///
 /// ```
 /// use vc_render::picture::{self, Picture};
@@ -85,6 +85,7 @@ pub fn gif(pictures: &[Picture], per_second: u16) -> Result<Vec<u8>, RenderError
 /// # Ok::<(), vc_render::RenderError>(())
 /// ```
 pub fn jpeg(picture: &Picture, quality: u8) -> Result<Vec<u8>, RenderError> {
+    whole(picture)?;
     let (width, height) = short_sides(picture)?;
     let mut bytes = Vec::new();
     let encoder = jpeg_encoder::Encoder::new(&mut bytes, quality.clamp(1, 100));
@@ -106,13 +107,21 @@ fn short_sides(picture: &Picture) -> Result<(u16, u16), RenderError> {
     })
 }
 
-/// The first picture, if all have its size.
+/// The first picture, if all have its size and are whole.
 fn of_one_size(pictures: &[Picture]) -> Result<&Picture, RenderError> {
     let first = pictures.first().ok_or_else(|| RenderError::Encoding("no pictures".into()))?;
-    match pictures.iter().any(|p| (p.width, p.height) != (first.width, first.height)) {
-        true => Err(RenderError::Encoding("pictures of different size".into())),
-        false => Ok(first),
+    if pictures.iter().any(|p| (p.width, p.height) != (first.width, first.height)) {
+        return Err(RenderError::Encoding("pictures of different size".into()));
     }
+    pictures.iter().try_for_each(whole)?;
+    Ok(first)
+}
+
+/// Refuses a picture that has not as many pixels as its size says.
+fn whole(picture: &Picture) -> Result<(), RenderError> {
+    let Picture { width, height, pixels } = picture;
+    let wrong = || format!("a picture of {width} by {height} pixels has {} of them", pixels.len());
+    picture.is_whole().then_some(()).ok_or_else(|| RenderError::Encoding(wrong()))
 }
 
 fn encoded(pictures: &[Picture], per_second: Option<u16>) -> Result<Vec<u8>, RenderError> {

@@ -74,20 +74,20 @@ pub(crate) struct Solid<'a> {
 
 impl<'a> Solid<'a> {
     #[inline(always)]
-    fn of(self, y: i32) -> &'a Target {
+    fn at(self, y: i32) -> &'a Target {
         if self.behind.rows.contains(&y) { self.behind } else { self.front }
     }
 
     /// Like [`Target::inverse_row`].
     #[inline(always)]
     pub(crate) fn inverse_row(self, y: i32) -> &'a [f32] {
-        self.of(y).inverse_row(y)
+        self.at(y).inverse_row(y)
     }
 
     /// Like [`Target::triangle_row`].
     #[inline(always)]
     pub(crate) fn triangle_row(self, y: i32) -> &'a [u32] {
-        self.of(y).triangle_row(y)
+        self.at(y).triangle_row(y)
     }
 }
 

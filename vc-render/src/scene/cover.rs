@@ -51,7 +51,7 @@ struct Layer {
 
 impl Layer {
     /// The map that flattens a cover of an extent along X into its layer.
-    fn of(self, [back, front]: [f32; 2]) -> Affine {
+    fn flattened(self, [back, front]: [f32; 2]) -> Affine {
         let end = |layer: usize| back + (front - back) * layer as f32 / self.of as f32;
         spanned(0, [back, front], [end(self.at), end(self.at + 1)])
     }
@@ -85,10 +85,10 @@ pub(super) fn hang((bodies, instances): (&mut [Body], &mut [Instance]), around: 
     for (((body, closed), stretch), layer) in around.covers.iter().zip(stretches).zip(layers) {
         let body = &mut bodies[*body];
         let depth = ends(&body.bounds, 0);
-        let aside = layer.map(|layer| Arc::new(layer.of(depth)));
+        let aside = layer.map(|layer| Arc::new(layer.flattened(depth)));
         let wide = stretch.as_ref().is_some_and(|(wide, _)| *wide);
         let stretch = stretch.map(|(_, map)| match layer {
-            Some(layer) => layer.of(depth.map(|x| along_x(&map, x))).after(&map),
+            Some(layer) => layer.flattened(depth.map(|x| along_x(&map, x))).after(&map),
             None => map,
         });
         let stretch = stretch.map(Arc::new);

@@ -12,4 +12,4 @@ mod untied;
 
 pub(crate) use body::{Body, Gives, Instance, NO_ROOM, Stands};
 pub use snapshot::Snapshot;
-pub(crate) use store::Store;
+pub(crate) use store::{MOST_SURFACES, Store};

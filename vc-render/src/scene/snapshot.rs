@@ -67,50 +67,12 @@ impl Snapshot {
         graph: &SceneGraph,
         joint: &mut dyn FnMut(NodeId, &Joint) -> Option<f32>,
     ) -> Result<Self, RenderError> {
-        let rooms: HashMap<NodeId, u16> = graph.rooms().iter().copied().zip(0..NO_ROOM).collect();
+        let rooms = graph.rooms().iter().copied().zip(0..NO_ROOM).collect();
+        let (bodies, instances) = (Vec::new(), Vec::new());
         let classes = Classes::new(graph)?;
-        let (mut bodies, mut instances) = (Vec::new(), Vec::new());
-        let mut around = Around::default();
-        for node in graph.nodes().filter(|n| n.kind() != NodeKind::Room) {
-            let Some(pose) = node.pose() else { continue };
-            let links = links(store, graph, node)?;
-            let first = instances.len() as u32;
-            let room = graph.room_of(node.id()).and_then(|r| rooms.get(&r).copied()).unwrap_or(NO_ROOM);
-            let scale = if node.spec().asset.is_some() { node.spec().scale } else { nalgebra::Vector3::repeat(1.0) };
-            if !Affine::placed(pose, &scale).is_finite() {
-                return Err(RenderError::BadPose(node.id()));
-            }
-            for piece in links {
-                instances.extend(instance(piece, bodies.len() as u32, node, (pose, &scale), joint));
-            }
-            let mut body = Body {
-                node: node.id(),
-                class: classes.number(node.class()),
-                room,
-                role: node.role(),
-                stands: Stands::from_role(node.role()),
-                gives: gives(graph, node),
-                lit: graph.is_lit(node.id()),
-                pose: *pose,
-                scale,
-                instances: first..instances.len() as u32,
-                bounds: Default::default(),
-            };
-            body.bounds = body.measured(&instances[first as usize..]);
-            if graph.covers_windows(node.id()) {
-                around.covers.push((bodies.len(), node.is(State::Closed)));
-            } else if matches!(node.role(), ObjectRole::Door | ObjectRole::Window) {
-                around.openings.push(bodies.len());
-            } else if node.kind() == NodeKind::Object && !node.affords(Property::Graspable) {
-                around.standing.push(bodies.len());
-            }
-            bodies.push(body);
-        }
-        hang((&mut bodies, &mut instances), &around);
-        let by_node = bodies.iter().zip(0..).map(|(b, i)| (b.node, i)).collect();
-        let (classes, rooms) = (Arc::new(classes), Arc::new(graph.rooms().to_vec()));
-        let bounds = Arc::new(rooms.iter().map(|room| graph.node(*room)?.aabb()).collect());
-        Ok(Self { bodies, instances, classes, rooms, bounds, by_node: Arc::new(by_node), store: store.name.clone() })
+        let mut taken = Taken { store, graph, joint, classes, rooms, bodies, instances, around: Around::default() };
+        graph.nodes().filter(|n| n.kind() != NodeKind::Room).try_for_each(|node| taken.add(node))?;
+        Ok(taken.snapshot())
     }
 
     /// Whether its meshes are in a store.
@@ -174,6 +136,74 @@ impl Snapshot {
     }
 }
 
+/// A snapshot in the making: the bodies taken so far.
+struct Taken<'a> {
+    store: &'a mut Store,
+    graph: &'a SceneGraph,
+    joint: &'a mut dyn FnMut(NodeId, &Joint) -> Option<f32>,
+    classes: Classes,
+    rooms: HashMap<NodeId, u16>,
+    bodies: Vec<Body>,
+    instances: Vec<Instance>,
+    around: Around,
+}
+
+impl Taken<'_> {
+    /// Adds the body of a node, if it has a pose.
+    fn add(&mut self, node: &Node) -> Result<(), RenderError> {
+        let Some(pose) = node.pose() else { return Ok(()) };
+        let links = links(self.store, self.graph, node)?;
+        let (first, number) = (self.instances.len() as u32, self.bodies.len() as u32);
+        let room = self.graph.room_of(node.id()).and_then(|r| self.rooms.get(&r).copied()).unwrap_or(NO_ROOM);
+        let scale = if node.spec().asset.is_some() { node.spec().scale } else { nalgebra::Vector3::repeat(1.0) };
+        if !Affine::placed(pose, &scale).is_finite() {
+            return Err(RenderError::BadPose(node.id()));
+        }
+        for piece in links {
+            self.instances.extend(instance(piece, number, node, (pose, &scale), self.joint));
+        }
+        let mut body = Body {
+            node: node.id(),
+            class: self.classes.number(node.class()),
+            room,
+            role: node.role(),
+            stands: Stands::from_role(node.role()),
+            gives: gives(self.graph, node),
+            lit: self.graph.is_lit(node.id()),
+            pose: *pose,
+            scale,
+            instances: first..self.instances.len() as u32,
+            bounds: Default::default(),
+        };
+        body.bounds = body.measured(&self.instances[first as usize..]);
+        self.note(node);
+        self.bodies.push(body);
+        Ok(())
+    }
+
+    /// Notes whether the next body is a window cover, an opening, or a thing that may stand before one.
+    fn note(&mut self, node: &Node) {
+        let (number, around) = (self.bodies.len(), &mut self.around);
+        if self.graph.covers_windows(node.id()) {
+            around.covers.push((number, node.is(State::Closed)));
+        } else if matches!(node.role(), ObjectRole::Door | ObjectRole::Window) {
+            around.openings.push(number);
+        } else if node.kind() == NodeKind::Object && !node.affords(Property::Graspable) {
+            around.standing.push(number);
+        }
+    }
+
+    /// Hangs the window covers; the whole.
+    fn snapshot(self) -> Snapshot {
+        let Self { store, graph, classes, mut bodies, mut instances, around, .. } = self;
+        hang((&mut bodies, &mut instances), &around);
+        let by_node = bodies.iter().zip(0..).map(|(b, i)| (b.node, i)).collect();
+        let (classes, rooms) = (Arc::new(classes), Arc::new(graph.rooms().to_vec()));
+        let bounds = Arc::new(rooms.iter().map(|room| graph.node(*room)?.aabb()).collect());
+        Snapshot { bodies, instances, classes, rooms, bounds, by_node: Arc::new(by_node), store: store.name.clone() }
+    }
+}
+
 fn gives(graph: &SceneGraph, node: &Node) -> Gives {
     match node.role() {
         ObjectRole::Light => Gives::Lamplight,
@@ -198,17 +228,17 @@ impl Piece {
 /// The links of a node, including the liquid that it can hold and its untied form.
 fn links(store: &mut Store, graph: &SceneGraph, node: &Node) -> Result<Vec<Piece>, RenderError> {
     let solid = |links: Vec<Arc<Link>>| links.into_iter().map(Piece::new).collect::<Vec<Piece>>();
-    let Some(id) = node.spec().asset else { return Ok(solid(store.stand_in(node.spec()).unwrap_or_default())) };
+    let Some(id) = node.spec().asset else { return Ok(solid(store.stand_in(node.spec())?)) };
     let missing = RenderError::NoSuchAsset { node: node.id(), asset: id.0 };
     let asset = graph.assets().get(id).ok_or(missing)?;
     let cover = graph.covers_windows(node.id());
-    let mut all = solid(store.links(graph.assets(), asset, cover));
+    let mut all = solid(store.links(graph.assets(), asset, cover)?);
     if node.affords(Property::Recipient) {
         let poured = |bottom| Poured { there: node.contents().is_some(), bottom };
-        let liquid = store.liquid(graph.assets(), asset);
+        let liquid = store.liquid(graph.assets(), asset)?;
         all.extend(liquid.map(|(link, bottom)| Piece { liquid: Some(poured(bottom)), ..Piece::new(link) }));
     }
-    let untied = if cover { store.untied(graph.assets(), asset) } else { None };
+    let untied = if cover { store.untied(graph.assets(), asset)? } else { None };
     if let Some((link, [band, cloth])) = untied {
         all.iter_mut().for_each(|piece| piece.tied = Some(Tied { drawn: false, hidden: cloth }));
         all.push(Piece { tied: Some(Tied { drawn: true, hidden: band }), ..Piece::new(link) });

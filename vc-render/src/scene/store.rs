@@ -8,8 +8,12 @@ use vc_graph::{Asset, AssetLibrary, Pose, Spec};
 
 use super::liquid::Liquid;
 use super::untied::Untied;
+use crate::RenderError;
 use crate::mesh::{Finish, Link, TOLERANCES, links, single};
 use crate::surface::{Picture, Role, Surface};
+
+/// How many surfaces can be numbered.
+pub(crate) const MOST_SURFACES: usize = 1 << 16;
 
 /// Links of all assets seen so far, and their surface materials.
 #[derive(Debug, Default)]
@@ -19,8 +23,7 @@ pub(crate) struct Store {
     /// Identity of the store, compared by address; snapshots made with this store carry it.
     pub(crate) name: Arc<()>,
     pub(crate) surfaces: Vec<Surface>,
-    /// Surfaces by library, material, role, and whether pictures are mapped onto them.
-    known_surfaces: HashMap<(usize, u32, Role, bool), u16>,
+    known_surfaces: HashMap<SurfaceKey, u16>,
     /// Pictures by library and position in it.
     pictures: HashMap<(usize, u32), Arc<Picture>>,
     /// Links by library and asset, and whether the asset is a window cover.
@@ -38,6 +41,9 @@ pub(crate) struct Store {
     stand_in: Option<u16>,
 }
 
+/// Library, material, role, and whether pictures are mapped onto the surface.
+type SurfaceKey = (usize, u32, Role, bool);
+
 /// A liquid that can be in a vessel, and a point in the vessel's bottom.
 pub(super) type Contained = (Arc<Link>, [f64; 3]);
 
@@ -51,71 +57,95 @@ impl Store {
     }
 
     /// The liquid that an uploaded asset can hold, if any; built on first use.
-    pub(super) fn liquid(&mut self, library: &Arc<AssetLibrary>, asset: &Arc<Asset>) -> Option<Contained> {
+    pub(super) fn liquid(
+        &mut self,
+        library: &Arc<AssetLibrary>,
+        asset: &Arc<Asset>,
+    ) -> Result<Option<Contained>, RenderError> {
         let key = (Arc::as_ptr(library) as usize, Arc::as_ptr(asset) as usize);
         if let Some(known) = self.liquids.get(&key) {
-            return known.clone();
+            return Ok(known.clone());
         }
         let made = Liquid::within(asset).map(|liquid| {
-            let surface = self.water();
+            let finish = Finish { surface: self.water()?, clear: false, pictured: false };
             let mut filled = asset.as_ref().clone();
             filled.parts.push(liquid.part);
-            let finish = Finish { surface, clear: false, pictured: false };
-            (Arc::new(single(&filled, asset.parts.len(), finish)), liquid.bottom)
+            Ok::<_, RenderError>((Arc::new(single(&filled, asset.parts.len(), finish)), liquid.bottom))
         });
+        let made = made.transpose()?;
         self.liquids.insert(key, made.clone());
-        made
+        Ok(made)
     }
 
     /// The cloth of an uploaded asset without its band, if it has one; built on first use.
-    pub(super) fn untied(&mut self, library: &Arc<AssetLibrary>, asset: &Arc<Asset>) -> Option<Loose> {
+    pub(super) fn untied(
+        &mut self,
+        library: &Arc<AssetLibrary>,
+        asset: &Arc<Asset>,
+    ) -> Result<Option<Loose>, RenderError> {
         let key = (Arc::as_ptr(library) as usize, Arc::as_ptr(asset) as usize);
         if let Some(known) = self.untied.get(&key) {
-            return known.clone();
+            return Ok(known.clone());
         }
         let made = Untied::new(asset).map(|Untied { cloth, index, hidden }| {
-            let finish = self.surface(key.0, library, &cloth);
+            let finish = self.surface(key.0, library, &cloth)?;
             let mut hanging = asset.as_ref().clone();
             hanging.parts[index] = cloth;
-            (Arc::new(single(&hanging, index, finish)), hidden)
+            Ok::<_, RenderError>((Arc::new(single(&hanging, index, finish)), hidden))
         });
+        let made = made.transpose()?;
         self.untied.insert(key, made.clone());
-        made
+        Ok(made)
     }
 
-    fn water(&mut self) -> u16 {
-        let surfaces = &mut self.surfaces;
-        *self.water.get_or_insert_with(|| {
-            surfaces.push(Surface { roughness: 0.03, ..Surface::plain() });
-            surfaces.len() as u16 - 1
-        })
+    fn water(&mut self) -> Result<u16, RenderError> {
+        let water = Surface { roughness: 0.03, ..Surface::plain() };
+        let water = self.water.map_or_else(|| self.add(water), Ok)?;
+        self.water = Some(water);
+        Ok(water)
+    }
+
+    /// The surface of nodes without an asset.
+    fn plain(&mut self) -> Result<u16, RenderError> {
+        let plain = self.stand_in.map_or_else(|| self.add(Surface::plain()), Ok)?;
+        self.stand_in = Some(plain);
+        Ok(plain)
+    }
+
+    /// Adds a surface; its number.
+    fn add(&mut self, made: Surface) -> Result<u16, RenderError> {
+        let number = u16::try_from(self.surfaces.len()).map_err(|_| RenderError::TooManySurfaces)?;
+        self.surfaces.push(made);
+        Ok(number)
     }
 
     /// The links of an asset, which may be a window cover; built on first use.
-    pub(crate) fn links(&mut self, library: &Arc<AssetLibrary>, asset: &Arc<Asset>, cover: bool) -> Vec<Arc<Link>> {
+    pub(crate) fn links(
+        &mut self,
+        library: &Arc<AssetLibrary>,
+        asset: &Arc<Asset>,
+        cover: bool,
+    ) -> Result<Vec<Arc<Link>>, RenderError> {
         let key = (Arc::as_ptr(library) as usize, Arc::as_ptr(asset) as usize, cover);
         if let Some(links) = self.assets.get(&key) {
-            return links.clone();
+            return Ok(links.clone());
         }
         self.kept.push((library.clone(), asset.clone()));
-        let made: Vec<Arc<Link>> =
-            links(asset, cover, |part| self.surface(key.0, library, part)).into_iter().map(Arc::new).collect();
+        let made = links(asset, cover, |part| self.surface(key.0, library, part))?;
+        let made: Vec<Arc<Link>> = made.into_iter().map(Arc::new).collect();
         self.assets.insert(key, made.clone());
-        made
+        Ok(made)
     }
 
-    /// A plain box for a node without an asset; none if the node has no box.
-    pub(crate) fn stand_in(&mut self, spec: &Spec) -> Option<Vec<Arc<Link>>> {
-        let bounds = spec.bounds?;
+    /// A plain box for a node without an asset; no links if the node has no box.
+    pub(crate) fn stand_in(&mut self, spec: &Spec) -> Result<Vec<Arc<Link>>, RenderError> {
+        let Some(bounds) = spec.bounds else { return Ok(Vec::new()) };
         let (half, offset) = (bounds.half, bounds.offset);
         let key = [half.x, half.y, half.z, offset.x, offset.y, offset.z].map(f32::to_bits);
         if let Some(links) = self.boxes.get(&key) {
-            return Some(links.clone());
+            return Ok(links.clone());
         }
-        let surface = *self.stand_in.get_or_insert_with(|| {
-            self.surfaces.push(Surface::plain());
-            self.surfaces.len() as u16 - 1
-        });
+        let finish = Finish { surface: self.plain()?, clear: false, pictured: false };
         let part = Part {
             name: "box".into(),
             shape: Shape::Box { half },
@@ -124,36 +154,38 @@ impl Store {
             joint: None,
         };
         let asset = Asset { name: "box".into(), parts: vec![part], ..Asset::default() };
-        let finish = Finish { surface, clear: false, pictured: false };
-        let made: Vec<Arc<Link>> = links(&asset, false, |_| finish).into_iter().map(Arc::new).collect();
+        let made: Vec<Arc<Link>> =
+            links(&asset, false, |_| Ok::<_, RenderError>(finish))?.into_iter().map(Arc::new).collect();
         self.boxes.insert(key, made.clone());
-        Some(made)
+        Ok(made)
     }
 
-    fn surface(&mut self, address: usize, library: &AssetLibrary, part: &Part) -> Finish {
+    fn surface(&mut self, address: usize, library: &AssetLibrary, part: &Part) -> Result<Finish, RenderError> {
         let role = Role::from_part(part);
         let placed = matches!(&part.shape, Shape::Mesh { uvs, .. } if !uvs.is_empty());
         let key = (address, part.material, role, placed);
-        let known = self.known_surfaces.get(&key).copied();
-        let index = known.unwrap_or_else(|| {
-            let material = library.material(part.material);
-            let made = material.map_or_else(Surface::plain, |m: &Material| Surface::new(m, role));
-            let made = match material.and_then(|m| self.picture(address, library, m.texture?)) {
-                Some(picture) if placed => made.with(picture),
-                Some(picture) => made.tinted(&picture),
-                None => made,
-            };
-            let same = self.surfaces.iter().position(|s| *s == made);
-            let index = same.unwrap_or_else(|| {
-                self.surfaces.push(made);
-                self.surfaces.len() - 1
-            });
-            let index = index.min(usize::from(u16::MAX)) as u16;
-            self.known_surfaces.insert(key, index);
-            index
-        });
-        let made = &self.surfaces[usize::from(index)];
-        Finish { surface: index, clear: made.is_clear(), pictured: made.picture.is_some() }
+        let surface = match self.known_surfaces.get(&key) {
+            Some(known) => *known,
+            None => self.made_surface(key, library)?,
+        };
+        let made = &self.surfaces[usize::from(surface)];
+        Ok(Finish { surface, clear: made.is_clear(), pictured: made.picture.is_some() })
+    }
+
+    /// The number of the surface that a material has in a role: that of an equal one, or a new one.
+    fn made_surface(&mut self, key: SurfaceKey, library: &AssetLibrary) -> Result<u16, RenderError> {
+        let (address, material, role, placed) = key;
+        let material = library.material(material);
+        let made = material.map_or_else(Surface::plain, |m: &Material| Surface::new(m, role));
+        let made = match material.and_then(|m| self.picture(address, library, m.texture?)) {
+            Some(picture) if placed => made.with(picture),
+            Some(picture) => made.tinted(&picture),
+            None => made,
+        };
+        let same = (0..=u16::MAX).zip(&self.surfaces).find(|(_, known)| **known == made).map(|(number, _)| number);
+        let number = same.map_or_else(|| self.add(made), Ok)?;
+        self.known_surfaces.insert(key, number);
+        Ok(number)
     }
 
     fn picture(&mut self, address: usize, library: &AssetLibrary, texture: u32) -> Option<Arc<Picture>> {
@@ -171,5 +203,29 @@ impl Store {
             (0..TOLERANCES.len()).filter(fresh).map(|i| link.levels[i].bytes()).sum::<usize>()
         };
         (all().map(|l| l.levels[0].len()).sum(), all().map(bytes).sum())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::Vector3;
+    use vc_graph::{Bounds, Draft, SceneBuilder};
+
+    use super::*;
+    use crate::Snapshot;
+
+    /// The snapshot of a box, taken with a store that has so many surfaces already.
+    fn snapshot_after(surfaces: usize) -> Result<Snapshot, RenderError> {
+        let mut scene = SceneBuilder::new("one");
+        let drawn = Draft::new("crate").at(Pose::identity()).bounds(Bounds::standing(Vector3::repeat(1.0)));
+        assert!(scene.add(drawn).is_ok());
+        let mut store = Store { surfaces: vec![Surface::plain(); surfaces], ..Store::new(0.25) };
+        Snapshot::new(&mut store, &scene.build(), &mut |_, _| None)
+    }
+
+    #[test]
+    fn surfaces_without_a_number_are_refused() {
+        assert!(snapshot_after(MOST_SURFACES - 1).is_ok());
+        assert_eq!(snapshot_after(MOST_SURFACES).map(|_| ()), Err(RenderError::TooManySurfaces));
     }
 }

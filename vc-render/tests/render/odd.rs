@@ -292,6 +292,40 @@ fn what_is_pasted_outside_is_left_out() {
     assert_eq!(black.pixels.iter().filter(|p| **p == [255; 3]).count(), 2);
 }
 
+/// The list of pixels is public, and may not be as long as the size says.
+#[test]
+fn pictures_without_all_their_pixels_are_drawn_in_part_and_not_encoded() {
+    use vc_render::picture::{self, Picture};
+    for (width, height, pixels) in [(4, 3, 11), (4, 3, 0), (4, 3, 40), (0, 3, 5), (usize::MAX, usize::MAX, 7)] {
+        let odd = Picture { width, height, pixels: vec![[9; 3]; pixels] };
+        let mut sheet = Picture::new(6, 6, [0; 3]);
+        sheet.paste(&odd, 1, 1);
+        let filled = sheet.pixels.iter().filter(|p| **p == [9; 3]).count();
+        let (across, down) = (width.min(5), height.min(5).min(pixels / width.max(1)));
+        assert_eq!(filled, across * down, "{width} by {height}, {pixels} pixels");
+        odd.clone().paste(&sheet, 0, 0);
+        let small = odd.shrunk(2);
+        assert_eq!(small.pixels.len(), small.width * small.height);
+        let mut frame = Frame::new();
+        frame.boxes = boxes_in_view();
+        picture::with_boxes(odd.clone(), &frame, 0);
+        let both = [odd.clone(), odd.clone()];
+        let refused = [picture::png(&odd), picture::jpeg(&odd, 90), picture::gif(&both, 9), picture::apng(&both, 9)];
+        assert!(refused.iter().all(|file| matches!(file, Err(RenderError::Encoding(_)))), "{width} by {height}");
+    }
+}
+
+/// The boxes of some things that a camera sees.
+fn boxes_in_view() -> Vec<vc_render::BoxLabel> {
+    let mut renderer = Renderer::new();
+    let snapshot = renderer.snapshot(&furnished()).unwrap();
+    let mut frame = Frame::new();
+    let camera = common::cameras(16, 12)[0];
+    renderer.render(&Shot::new(&snapshot, &camera, Modality::Boxes), &mut frame).unwrap();
+    assert!(!frame.boxes.is_empty());
+    frame.boxes
+}
+
 /// Renders `layers` layers of a hundred by a hundred boxes from close by, and checks that the picture agrees
 /// with ray hits wherever no edge is near.
 fn boxes_are_seen(layers: u32) {

@@ -3,7 +3,7 @@
 
 use vc_graph::goal::EpisodeTrace;
 use vc_graph::{Draft, Event, Goal, NodeId, SceneBuilder, SceneGraph, Scope, Simulator};
-use vc_planner::{EpisodeOptions, OraclePolicy, PlannerPolicy, Policy, Trajectory};
+use vc_planner::{EpisodeOptions, PlannerPolicy, Policy, Trajectory};
 use vc_tasks::{Outcome, Task};
 
 /// A kitchen with milk and an egg in the fridge, which is closed, and an apple on the table.
@@ -53,7 +53,7 @@ const LOST: &[(&str, &str)] = &[
 
 fn policies() -> [Box<dyn Policy>; 4] {
     [
-        Box::new(OraclePolicy::default()),
+        Box::new(PlannerPolicy::oracle()),
         Box::new(PlannerPolicy::best()),
         Box::new(PlannerPolicy::faithful()),
         Box::new(PlannerPolicy::in_unknown_home()),
@@ -114,7 +114,7 @@ fn what_stands_in_the_way_is_told() {
 /// The rewards of transitions are those on the trace.
 #[test]
 fn transitions_sum_to_the_score_on_the_trace() {
-    let (trajectory, goal) = attempt(&mut OraclePolicy::default(), "Open(fridge) then Closed(fridge) then Holds(milk)");
+    let (trajectory, goal) = attempt(&mut PlannerPolicy::oracle(), "Open(fridge) then Closed(fridge) then Holds(milk)");
     let transitions = trajectory.transitions(&kitchen(), Scope::Room).unwrap();
     let sum: f64 = transitions.iter().map(|t| t.reward).sum();
     let start = EpisodeTrace::new(kitchen(), trajectory.header.agent);
@@ -174,7 +174,7 @@ fn misspelt_classes_win_nothing() {
         let task = Task::new("t", text.parse().unwrap());
         let mut trial = vc_tasks::Trial::new(Simulator::new(kitchen()), task.clone(), me);
         let step = trial.step(&"dance".parse().unwrap());
-        let episode = vc_planner::run_episode(&mut OraclePolicy::default(), &task, &mut Simulator::new(kitchen()));
+        let episode = vc_planner::run_episode(&mut PlannerPolicy::oracle(), &task, &mut Simulator::new(kitchen()));
         assert_eq!(step.terminated, episode.outcome == Outcome::Won, "{text}: {step:?} {episode:?}");
         let told: Vec<String> = task.obstacles(&kitchen()).iter().map(ToString::to_string).collect();
         (episode, step, told.join("; "))
