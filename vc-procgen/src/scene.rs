@@ -6,7 +6,7 @@ use std::sync::Arc;
 use nalgebra::Vector3;
 use vc_graph::asset::Hold;
 use vc_graph::{
-    AssetId, Bounds, BoundsFrame, Draft, Edge, EditError, ObjectRole, Pose, Relation, SceneBuilder, SceneGraph, State,
+    AssetId, Bounds, BoundsFrame, ClassTable, Draft, Edge, EditError, ObjectRole, Pose, Relation, SceneBuilder, SceneGraph, State,
 };
 use vc_shapes::object::Object;
 
@@ -30,7 +30,12 @@ impl Apartment {
     /// # Ok::<(), vc_procgen::SpecificationError>(())
     /// ```
     pub fn scene(&self) -> SceneGraph {
-        let mut builder = SceneBuilder::new(format!("apartment_{}", self.seed.0));
+        self.scene_with_classes(ClassTable::builtin())
+    }
+
+    /// As [`scene`](Self::scene), with the class table of a program's own classes.
+    pub fn scene_with_classes(&self, classes: Arc<ClassTable>) -> SceneGraph {
+        let mut builder = SceneBuilder::with_classes(format!("apartment_{}", self.seed.0), classes);
         // New identifiers and existing endpoints leave no reason for an error.
         let _ = self.fill(&mut builder);
         builder.build()
@@ -65,7 +70,7 @@ impl Apartment {
 
     fn edges(&self) -> Vec<Edge> {
         let mut floors = vec![None; self.plan.rooms.len()];
-        for (index, item) in self.items.iter().enumerate().filter(|(_, i)| i.object.role() == ObjectRole::Floor) {
+        for (index, item) in self.items.iter().enumerate().filter(|(_, i)| i.object.role == ObjectRole::Floor) {
             floors[item.room] = Some(self.item_id(index));
         }
         let mut edges = Vec::with_capacity(2 * self.items.len());
@@ -78,7 +83,7 @@ impl Apartment {
                 Support::Inside(at, _) => edges.push(Edge::new(id, Relation::Inside, self.item_id(at))),
                 Support::Wall | Support::Ceiling | Support::Built => {}
             }
-            if item.object.role() == ObjectRole::Door {
+            if item.object.role == ObjectRole::Door {
                 let rooms = std::iter::once(item.room).chain(item.between);
                 edges.extend(rooms.map(|room| Edge::new(id, Relation::Between, self.room_id(room))));
             }

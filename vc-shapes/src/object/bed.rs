@@ -94,7 +94,7 @@ fn bed(b: &mut Build<'_>) {
     } else {
         &[Design::Divan, Design::Platform]
     };
-    match b.choose(designs) {
+    match b.one_of(designs) {
         Design::Platform => platform(b, &bed, high),
         Design::Upholstered => upholstered(b, &bed),
         Design::Divan => divan(b, &bed),
