@@ -6,7 +6,8 @@ use std::sync::Arc;
 use nalgebra::Vector3;
 use vc_graph::asset::Hold;
 use vc_graph::{
-    AssetId, Bounds, BoundsFrame, ClassTable, Draft, Edge, EditError, ObjectRole, Pose, Relation, SceneBuilder, SceneGraph, State,
+    AssetId, Bounds, BoundsFrame, ClassTable, Draft, Edge, EditError, ObjectRole, Pose, Relation, SceneBuilder,
+    SceneGraph, State,
 };
 use vc_shapes::object::Object;
 

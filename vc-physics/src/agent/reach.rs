@@ -136,7 +136,8 @@ fn leant(plan: &BodyPlan, feet: Point3<f32>, to: Point3<f32>, most: f32) -> Poin
     let forward = way.norm().min(most);
     let torso = ADULT.torso * plan.height;
     let sunk = torso - (torso * torso - forward * forward).max(0.0).sqrt();
-    let rise = (to.z - feet.z).clamp(BENT * plan.height, (plan.shoulder() + ADULT.tiptoe - sunk).max(BENT * plan.height));
+    let rise =
+        (to.z - feet.z).clamp(BENT * plan.height, (plan.shoulder() + ADULT.tiptoe - sunk).max(BENT * plan.height));
     let ahead = way.try_normalize(1e-6).map_or_else(Vector2::zeros, |w| w * forward);
     feet + Vector3::new(ahead.x, ahead.y, rise)
 }

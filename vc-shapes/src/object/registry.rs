@@ -87,7 +87,9 @@ impl Generators {
 
     /// All generators: the built-in ones by family, then the registered ones in their order.
     pub fn iter<'a>(&'a self) -> impl Iterator<Item = &'a Generator> {
-        generators().map(|builtin| -> &'a Generator { builtin }).chain(self.registered().map(|(generator, _)| generator))
+        generators()
+            .map(|builtin| -> &'a Generator { builtin })
+            .chain(self.registered().map(|(generator, _)| generator))
     }
 
     /// The registered generators in their order, with the rows of their classes.

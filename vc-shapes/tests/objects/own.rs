@@ -9,7 +9,7 @@ use vc_shapes::{Build, Generator, Generators, Object, Realm, RegisterError, Styl
 const ROWS: &str = "samovar | appliance | | appliance | graspable | 0.2 0.25-0.3 0.4 | 3 | | | kitchen:1\n\
                     idea | | | prop | | | | | |\n\
                     pelmet | curtain | | decor | | 0.1 0.8-2.0 0.3 | 1 | | | living_room:1 | flat\n\
-                    staff | sports_gear | | sport | surface | 0.4 0.1 1.0 | 1 | | | garage:1\n\
+                    staff | sports_gear | | sport | surface | 0.9 0.1 0.9 | 1 | | | garage:1\n\
                     icon | decoration | | decor | graspable | 0.02 0.2 0.3 | 1 | | | living_room:1";
 
 fn samovar(b: &mut Build<'_>) {

@@ -2,7 +2,9 @@
 
 use super::fitting::*;
 use crate::material::*;
-use crate::object::joinery::{Fitted, Panel, Swing, cupboard_door, cupboard_doors, drawers, gapped, panel, pull_out, swing};
+use crate::object::joinery::{
+    Fitted, Panel, Swing, cupboard_door, cupboard_doors, drawers, gapped, panel, pull_out, swing,
+};
 use crate::solid::{Axis, Build, P, case, fit, half_dims, plate_with_hole, tiers};
 
 /// The height of the toe-kick.

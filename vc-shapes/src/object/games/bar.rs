@@ -4,9 +4,8 @@ use std::f32::consts::TAU;
 
 use vc_graph::portable::Portable;
 
-
 use crate::material::*;
-use crate::solid::{Build, MeshBuilder, P, Proportional, SIDES, self};
+use crate::solid::{self, Build, MeshBuilder, P, Proportional, SIDES};
 
 /// A dartboard: twenty sectors with double and triple fields around a bull.
 pub(super) fn dartboard(b: &mut Build<'_>) {

@@ -1,8 +1,8 @@
 //! Board games, boxed or as open boards.
 
-use crate::object::palette::{CARDS};
 use crate::material::*;
-use crate::solid::{Axis, Build, CORNERS, MeshBuilder, P, Proportional, SIDES, oval_outline, self};
+use crate::object::palette::CARDS;
+use crate::solid::{self, Axis, Build, CORNERS, MeshBuilder, P, Proportional, SIDES, oval_outline};
 
 /// A box with a lid and a printed picture.
 pub(super) fn boxed(b: &mut Build<'_>) {

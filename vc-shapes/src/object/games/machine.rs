@@ -2,8 +2,8 @@
 
 use std::f32::consts::PI;
 
-use crate::object::palette::{BRIGHT, PAINTS};
 use crate::material::*;
+use crate::object::palette::{BRIGHT, PAINTS};
 use crate::solid;
 use crate::solid::{Axis, Build, CORNERS, P, Proportional, SIDES, arc_outline};
 
@@ -100,7 +100,12 @@ pub(super) fn pinball(b: &mut Build<'_>) {
     let metal = b.choose(&[CHROME, BRASS, BLACK_METAL]);
     let field = b.choose(&[PICTURE_DARK, PICTURE_LAND, PICTURE_SKY]);
     let (front, back) = (b.vary(0.49, 0.52), b.vary(0.56, 0.6));
-    b.side_outline("case", (-0.92, 0.92), &[(-0.95, 0.4), (0.96, 0.36), (0.96, front - 0.02), (-0.95, back - 0.02)], case);
+    b.side_outline(
+        "case",
+        (-0.92, 0.92),
+        &[(-0.95, 0.4), (0.96, 0.36), (0.96, front - 0.02), (-0.95, back - 0.02)],
+        case,
+    );
     for s in SIDES {
         let (y0, y1) = ((0.88 * s).min(0.96 * s), (0.88 * s).max(0.96 * s));
         b.side_outline(
@@ -142,7 +147,12 @@ pub(super) fn pinball(b: &mut Build<'_>) {
     b.slab("glass", [-0.62, -0.92, back + 0.11], [-0.57, 0.92, 0.97], PICTURE_DARK);
     b.slab("sky", [-0.6, -0.86, 0.8], [-0.564, 0.86, 0.95], PICTURE_SUN);
     let hero = b.choose(&[SIGNAL_RED, SIGNAL_GREEN, PICTURE_SKY]);
-    b.front_outline("hero", (-0.6, -0.558), &[(-0.4, back + 0.14), (0.4, back + 0.14), (0.15, 0.9), (-0.1, 0.93)], hero);
+    b.front_outline(
+        "hero",
+        (-0.6, -0.558),
+        &[(-0.4, back + 0.14), (0.4, back + 0.14), (0.15, 0.9), (-0.1, 0.93)],
+        hero,
+    );
     b.slab("score", [-0.62, -0.7, back + 0.045], [-0.566, 0.7, back + 0.095], SCREEN);
     b.slab("digits", [-0.6, -0.5, back + 0.057], [-0.56, 0.5, back + 0.083], SIGNAL_AMBER);
 }

@@ -4,9 +4,9 @@ use nalgebra::Vector3;
 use vc_graph::Asset;
 use vc_graph::asset::{Part, Shape};
 
-use crate::object::palette::{TOY_WOODS};
 use crate::material::*;
-use crate::solid::{Axis, Build, CORNERS, MeshBuilder, P, Proportional, SIDES, self};
+use crate::object::palette::TOY_WOODS;
+use crate::solid::{self, Axis, Build, CORNERS, MeshBuilder, P, Proportional, SIDES};
 
 /// Tiles in rows in a wooden tray: dominoes or mahjong tiles.
 pub(super) fn tiles(b: &mut Build<'_>) {

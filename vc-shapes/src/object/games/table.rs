@@ -2,7 +2,6 @@
 
 use std::f32::consts::TAU;
 
-
 use crate::material::*;
 use crate::solid;
 use crate::solid::{Axis, Build, CORNERS, P, Proportional, SIDES, arc_outline, oval_outline};

@@ -2,8 +2,8 @@
 
 use vc_graph::portable::Portable;
 
-use crate::object::palette::*;
 use crate::material::*;
+use crate::object::palette::*;
 use crate::solid::{Axis, Build, Proportional, SIDES, arc_outline, oval_outline};
 
 /// A small castle of wooden blocks: cubes, arches, pillars, roofs.

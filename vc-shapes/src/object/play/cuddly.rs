@@ -1,7 +1,7 @@
 //! Animals: sitting soft toys, figures that stand on four legs, and ride-on animals.
 
-use crate::object::palette::*;
 use crate::material::*;
+use crate::object::palette::*;
 use crate::solid::{Axis, Build, CORNERS, P, Proportional, Ring, SIDES, band, coil, oval_outline};
 
 /// A sitting soft toy: a bear or one of several other animals.

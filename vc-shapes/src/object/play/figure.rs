@@ -1,7 +1,7 @@
 //! Figures: dolls, puppets, heroes and robots.
 
-use crate::object::palette::*;
 use crate::material::*;
+use crate::object::palette::*;
 use crate::solid::{Axis, Build, Proportional, SIDES, oval_outline};
 
 /// A standing doll in a dress or in trousers.

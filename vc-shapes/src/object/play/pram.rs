@@ -170,7 +170,12 @@ pub(super) fn pram(b: &mut Build<'_>) {
     b.inner_floor("cot", [0.12, 0.0, low + 0.08], (0.5, y * 0.7), rim - low - 0.1);
     b.pad("mattress", [-0.45, -y * 0.8, low + 0.03], [0.72, y * 0.8, low + 0.079], 0.01, lining);
     if b.rng.chance(0.6) {
-        b.plan_outline("cover", (rim, rim + 0.025), &rounded_between((0.25, -y - 0.05), (0.98, y + 0.05), (0.2, 0.3)), cloth);
+        b.plan_outline(
+            "cover",
+            (rim, rim + 0.025),
+            &rounded_between((0.25, -y - 0.05), (0.98, y + 0.05), (0.2, 0.3)),
+            cloth,
+        );
     }
     hood(b, (-0.12, rim - 0.02), (0.62, 0.33), (-y - 0.03, y + 0.03), (1.2, 2.95), cloth);
 }

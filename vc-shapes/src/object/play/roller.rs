@@ -1,7 +1,7 @@
 //! Toys on wheels: boards, skates, scooters and small cycles.
 
-use crate::object::palette::*;
 use crate::material::*;
+use crate::object::palette::*;
 use crate::solid::{Axis, Build, CORNERS, Proportional, SIDES, arc_outline, band, rounded_between};
 
 /// A self-balancing board: two wheels, two foot plates, lamps.

@@ -4,8 +4,8 @@ use std::f32::consts::FRAC_PI_2;
 
 use vc_graph::portable::Portable;
 
-use crate::object::palette::*;
 use crate::material::*;
+use crate::object::palette::*;
 use crate::solid::{Axis, Build, CORNERS, Proportional, SIDES, arc_outline, oval_outline, rounded_between};
 
 /// A furnished dolls' house, open in front or closed by two wings.

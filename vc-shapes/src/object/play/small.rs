@@ -2,8 +2,8 @@
 
 use vc_graph::portable::Portable;
 
-use crate::object::palette::*;
 use crate::material::*;
+use crate::object::palette::*;
 use crate::solid::{Axis, Build, CORNERS, Proportional, SIDES, pitched, rounded_between};
 
 /// A free-standing spinning top on its tip: a humming top or a plain one.

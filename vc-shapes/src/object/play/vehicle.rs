@@ -1,7 +1,7 @@
 //! Toy cars, trucks, trains, planes and boats, and ride-on cars.
 
-use crate::object::palette::*;
 use crate::material::*;
+use crate::object::palette::*;
 use crate::solid::{Axis, Build, Proportional, SIDES, arc_outline, pitched};
 
 /// Four wheels whose treads touch the floor and whose outer faces touch the sides.

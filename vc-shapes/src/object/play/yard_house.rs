@@ -2,8 +2,8 @@
 
 use std::f32::consts::FRAC_PI_2;
 
-use crate::object::palette::*;
 use crate::material::*;
+use crate::object::palette::*;
 use crate::solid::{Axis, Build, CORNERS, P, Proportional, SIDES, arc_outline, band};
 
 /// A gabled roof over a rectangle, with the ridge along Y.

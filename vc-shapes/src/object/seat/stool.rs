@@ -1,10 +1,10 @@
 //! Stools, benches and soft seats without a back.
 
 use crate::material::*;
+use crate::object::joinery::{Front, Handle};
 use crate::object::storage::case::{Case, Cell};
 use crate::object::storage::chest::{Chest, chest};
 use crate::object::table::frame::{Four, STAR, baluster};
-use crate::object::joinery::{Front, Handle};
 use crate::solid::{Axis, Build, CORNERS, Cut, at_least, disc, leg, ribbon};
 
 /// Half depth, half width, height, and the thickness of legs.

@@ -4,8 +4,8 @@ use std::f32::consts::{PI, TAU};
 
 use vc_graph::portable::Portable;
 
-use crate::object::palette::*;
 use crate::material::*;
+use crate::object::palette::*;
 use crate::solid::{Build, CORNERS, P, SIDES, seam, zone};
 
 /// Radius and centre of the ball that fits the size.

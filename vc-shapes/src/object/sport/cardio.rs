@@ -228,7 +228,12 @@ pub(super) fn vibration_plate(b: &mut Build<'_>) {
     b.plan_outline("base", (0.0, high * 0.4), &foot, BLACK_PLASTIC);
     b.plan_outline("plate", (high * 0.35, high), &outline, case);
     let ahead = if tall { 0.5 } else { 0.85 };
-    b.plan_outline("tread", (high * 0.9, high * 1.05), &rounded_between((-0.85, -0.85), (ahead, 0.85), (0.3, 0.3)), RUBBER);
+    b.plan_outline(
+        "tread",
+        (high * 0.9, high * 1.05),
+        &rounded_between((-0.85, -0.85), (ahead, 0.85), (0.3, 0.3)),
+        RUBBER,
+    );
     let place = [(ahead - 0.85) / 2.0, 0.0, high * 1.05];
     b.deck("plate", place, ((ahead + 0.85) / 2.0 - 0.12, 0.7));
     if !tall {

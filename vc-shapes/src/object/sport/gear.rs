@@ -4,8 +4,8 @@ use std::f32::consts::PI;
 
 use vc_graph::portable::Portable;
 
-use crate::object::palette::*;
 use crate::material::*;
+use crate::object::palette::*;
 use crate::solid::{Axis, Build, Proportional, SIDES, arc_outline, oval_outline, rounded_between};
 
 /// A dumbbell: hexagonal heads, round ones, or plates on a bar, lying along Y.

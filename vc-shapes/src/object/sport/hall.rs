@@ -4,8 +4,8 @@ use std::f32::consts::PI;
 
 use vc_graph::portable::Portable;
 
-use crate::object::palette::*;
 use crate::material::*;
+use crate::object::palette::*;
 use crate::solid::{Axis, Build, CORNERS, Proportional, SIDES, rounded_between};
 
 /// A pull-up bar for a doorway or on wall brackets.

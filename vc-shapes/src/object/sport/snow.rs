@@ -1,7 +1,7 @@
 //! Skates, skis, boards and sleds.
 
-use crate::object::palette::*;
 use crate::material::*;
+use crate::object::palette::*;
 use crate::solid::{Axis, Build, Proportional, SIDES, band};
 
 /// A pair of ice skates.

@@ -1,7 +1,7 @@
 //! Worn and carried gear.
 
-use crate::object::palette::*;
 use crate::material::*;
+use crate::object::palette::*;
 use crate::solid::{Axis, Build, Proportional, SIDES, arc_outline};
 
 /// A boot standing on a sole at height `sole`, toe to the front.

@@ -2,8 +2,8 @@
 
 use super::case::{Cell, Column, Piece, Stand};
 use crate::material::*;
-use crate::object::table::trolley::castor;
 use crate::object::joinery::{Front, Handle};
+use crate::object::table::trolley::castor;
 use crate::solid::{Build, CORNERS, at_least};
 
 /// Gives a piece the home's style: body, fronts, handles, stand and top.

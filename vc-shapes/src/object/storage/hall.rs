@@ -6,8 +6,8 @@ use vc_graph::portable::Portable;
 
 use super::case::{Case, Cell};
 use crate::material::*;
-use crate::object::table::frame::baluster;
 use crate::object::joinery::{BOARD, Handle};
+use crate::object::table::frame::baluster;
 use crate::solid::{Axis, Build, Cut, P, at_least, leg};
 
 /// A bent hook that protrudes from `x` with its tip turned up, and its surface.

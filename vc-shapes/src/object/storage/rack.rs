@@ -1,9 +1,9 @@
 //! Racks for pots, bottles, papers, shoes, washing and plants.
 
 use crate::material::*;
+use crate::object::joinery::BOARD;
 use crate::object::table::frame::Four;
 use crate::object::table::trolley::castor;
-use crate::object::joinery::BOARD;
 use crate::solid::{Axis, Build, CORNERS, Cut, at_least, disc, leg};
 
 /// A grid with hooks below that hangs from chains or is fixed to a wall.

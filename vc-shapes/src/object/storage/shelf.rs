@@ -2,8 +2,8 @@
 
 use super::case::{Case, Cell, Column, Piece, Stand};
 use crate::material::*;
-use crate::object::table::frame::Four;
 use crate::object::joinery::{BOARD, Front, Handle};
+use crate::object::table::frame::Four;
 use crate::solid::{Axis, Build, CORNERS, Cut, P, at_least, leg};
 
 /// The number of compartments of a usual height.

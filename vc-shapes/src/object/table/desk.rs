@@ -3,8 +3,8 @@
 use super::frame::Four;
 use super::{Base, Outline, Table};
 use crate::material::*;
-use crate::object::storage::case::{Case, Cell, Column, Piece, Stand, Tally};
 use crate::object::joinery::{BOARD, Front, Handle};
+use crate::object::storage::case::{Case, Cell, Column, Piece, Stand, Tally};
 use crate::solid::{Build, Cut, P, at_least};
 
 /// Drawers side by side below a top, in a shallow case.

@@ -3,8 +3,8 @@
 use super::frame::Four;
 use super::{Outline, Table};
 use crate::material::*;
-use crate::object::storage::case::{Case, Cell};
 use crate::object::joinery::Handle;
+use crate::object::storage::case::{Case, Cell};
 use crate::solid::{Axis, Build, CORNERS, Cut, P, at_least, leg, rounded_by_radius};
 
 /// A light table whose legs fold under its top.
