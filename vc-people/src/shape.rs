@@ -120,13 +120,9 @@ fn head(stuff: &Stuff, parts: &mut Vec<Part>) {
 }
 
 fn arm(stuff: &Stuff, side: BodySide, parts: &mut Vec<Part>) {
-    parts.push(part(
-        "shoulder",
-        Bone::UpperArm(side),
-        Shape::Sphere { radius: SHOULDER },
-        stuff.shirt,
-        Vector3::zeros(),
-    ));
+    // A little larger than the end of the shoulder blade: of two colours in one place, either would be seen by chance.
+    let shoulder = Shape::Sphere { radius: SHOULDER + 0.001 };
+    parts.push(part("shoulder", Bone::UpperArm(side), shoulder, stuff.shirt, Vector3::zeros()));
     parts.push(limb("upper arm", Bone::UpperArm(side), ARM[0], 0.046, stuff.shirt));
     parts.push(limb("forearm", Bone::Forearm(side), ARM[1] - 0.08, 0.036, stuff.skin));
     let palm = block([0.036, 0.017, 0.05], 0.016);
