@@ -7,6 +7,7 @@ use vc_graph::{
 };
 use vc_graph::{SceneGraph, Seed};
 use vc_procgen::{Apartment, Specification, SpecificationError};
+use vc_shapes::Generators;
 use vc_tasks::initial::{Initial, InitialError, InitialGenerator};
 use vc_tasks::library::Activity;
 use vc_tasks::{World, WorldError};
@@ -176,7 +177,8 @@ fn wanted(activity: &Activity, graph: &SceneGraph, objects: impl Fn(&str) -> Vec
 
 /// A generator that takes missing things from the [`Catalogue`].
 pub fn generator() -> InitialGenerator<'static> {
-    InitialGenerator::new(&Catalogue)
+    static BUILTIN: Catalogue = Catalogue::new(Generators::BUILTIN);
+    InitialGenerator::new(&BUILTIN)
 }
 
 /// The specification of a home with an activity's rooms. Studios are left out: their single room is neither a

@@ -83,11 +83,12 @@ fn main() -> Result<(), Complaint> {
     if options.seed.checked_add(options.seeds).is_none() {
         return Err(Complaint::new(format!("seeds end at {}: choose a lower --seed", u64::MAX)));
     }
+    let catalogue = Catalogue::default();
     let bar = ProgressBar::new(chosen.len() as u64 * options.seeds);
     for (activity, seed) in chosen.iter().flat_map(|a| (0..options.seeds).map(move |i| (*a, options.seed + i))) {
         bar.inc(1);
         let start = Instant::now();
-        let generator = InitialGenerator::new(&Catalogue).distractors(options.distractors);
+        let generator = InitialGenerator::new(&catalogue).distractors(options.distractors);
         match at_home(activity, Seed(seed), &generator, |home| Ok(Simulator::new(home))) {
             Ok(made) => {
                 sums.entry(activity.group()).or_default().add(&made, start.elapsed().as_secs_f64());

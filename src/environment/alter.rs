@@ -147,7 +147,7 @@ impl Environment {
         let place = self.checked(place)?;
         let mut library = self.graph.assets().as_ref().clone();
         let seed = Seed(self.graph.len() as u64).child("spawn");
-        let draft = Catalogue.thing(known, seed, &self.graph, &mut library);
+        let draft = Catalogue::default().thing(known, seed, &self.graph, &mut library);
         let draft: Draft = draft.ok_or_else(|| AlterError::NoGenerator(known.name.to_string()))?;
         let mut next = self.clone();
         let mut builder = SceneBuilder::from_graph(self.graph.clone());

@@ -51,7 +51,8 @@ fn all() -> Vec<Made> {
 }
 
 fn make(activity: &Activity, seed: u64, distractors: usize) -> Result<Home, String> {
-    let generator = InitialGenerator::new(&Catalogue).distractors(distractors);
+    let catalogue = Catalogue::default();
+    let generator = InitialGenerator::new(&catalogue).distractors(distractors);
     at_home(activity, Seed(seed), &generator, |home| Ok(Simulator::new(home))).map_err(|e| e.to_string())
 }
 

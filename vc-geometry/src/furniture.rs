@@ -22,6 +22,8 @@ const BACK: f32 = 0.08;
 const SUNK: f32 = 0.25;
 /// Height between shelves where nothing stands, metres.
 const SHELF: f32 = 0.4;
+/// The greatest number of shelves: in a case of more than 25 metres they are farther apart.
+const SHELVES: f32 = 64.0;
 /// A level this far above a board is on that board, metres.
 const LOW: f32 = 0.08;
 /// Room above the things on the highest shelf, metres.
@@ -194,7 +196,7 @@ fn shelves(loads: &[Load], floor: f32, roof: f32, high: bool, base: f32) -> Vec<
     let mut found = vec![Level { at: floor, inside }];
     found.extend(level::levels(loads, floor + LOW, roof - HEADROOM));
     let free = |z: f32| loads.iter().all(|l| z < l.bottom - LOW || z > l.top + HEADROOM);
-    let count = ((roof - floor) / SHELF).round().max(1.0);
+    let count = ((roof - floor) / SHELF).round().clamp(1.0, SHELVES);
     for step in 1..count as usize {
         let at = floor + (roof - floor) * step as f32 / count;
         if free(at) && found.iter().all(|l| (l.at - at).abs() > SHELF / 2.0) {

@@ -86,14 +86,20 @@ pub fn contains(outer: &[Point2<f32>], inner: &[Point2<f32>]) -> bool {
 /// let wall = rectangle(&Point2::new(1.0, 0.0), &Point2::new(1.1, 4.0));
 /// assert!(crosses(&wall, &Point2::new(0.0, 2.0), &Point2::new(2.0, 2.0)));
 /// assert!(!crosses(&wall, &Point2::new(0.0, 5.0), &Point2::new(2.0, 5.0)));
+/// // A segment in line with a side is beyond it.
+/// assert!(!crosses(&wall, &Point2::new(1.0, 5.0), &Point2::new(1.0, 7.0)));
 /// ```
 pub fn crosses(outline: &[Point2<f32>], from: &Point2<f32>, to: &Point2<f32>) -> bool {
     let next = outline.iter().cycle().skip(1);
     let edges = outline.iter().zip(next);
     let inside = outline.len() > 2 && edges.clone().all(|(a, b)| turn(a, b, from) >= 0.0);
+    inside || edges.into_iter().any(|edge| meet((from, to), edge))
+}
+
+/// Whether two segments share a point: their boxes meet, and neither lies on one side of the other's line. The boxes
+/// decide where all ends are on one line.
+fn meet((from, to): (&Point2<f32>, &Point2<f32>), (a, b): (&Point2<f32>, &Point2<f32>)) -> bool {
     let apart = |p: f32, q: f32| (p > 0.0 && q > 0.0) || (p < 0.0 && q < 0.0);
-    inside
-        || edges
-            .into_iter()
-            .any(|(a, b)| !apart(turn(from, to, a), turn(from, to, b)) && !apart(turn(a, b, from), turn(a, b, to)))
+    let overlap = |i: usize| from[i].min(to[i]) <= a[i].max(b[i]) && a[i].min(b[i]) <= from[i].max(to[i]);
+    overlap(0) && overlap(1) && !apart(turn(from, to, a), turn(from, to, b)) && !apart(turn(a, b, from), turn(a, b, to))
 }

@@ -11,6 +11,7 @@ use vc_graph::{Aabb, Node, NodeId, NodeKind, ObjectRole, SceneGraph};
 
 use crate::grid::Raster;
 use crate::opening::{DOORWAY, WallOpening, overlap, size, thin};
+use crate::outline::{Outline, rectangle};
 
 /// Distance up to which the walls of two rooms are the two sides of one wall, metres between their middles.
 const DOUBLE: f32 = 0.35;
@@ -225,20 +226,19 @@ fn free_floor(graph: &SceneGraph, room: NodeId) -> Option<Raster> {
     let floors: Vec<Aabb> = in_room.filter_map(Node::aabb).collect();
     let around = floors.iter().copied().reduce(|a, b| Aabb { min: a.min.inf(&b.min), max: a.max.sup(&b.max) })?;
     let mut free = Raster::over(around.min.xy(), around.max.xy(), CELL)?;
-    floors.iter().for_each(|floor| free.paint(&corners(floor), 0.0, true));
+    floors.iter().for_each(|floor| free.paint(&footprint(floor), 0.0, true));
     let (low, high) = (around.max.z + LOW, around.max.z + DOORWAY);
     for (role, aabb) in graph.nodes().filter(|n| n.kind() == NodeKind::Object).filter_map(aabb) {
         let stands = !matches!(role, ObjectRole::Floor | ObjectRole::Ceiling);
         if stands && aabb.min.z < high && aabb.max.z > low {
-            free.paint(&corners(&aabb), BODY, false);
+            free.paint(&footprint(&aabb), BODY, false);
         }
     }
     Some(free)
 }
 
-fn corners(aabb: &Aabb) -> [Point2<f32>; 4] {
-    let ((low, high), point) = ((aabb.min, aabb.max), Point2::new);
-    [point(low.x, low.y), point(high.x, low.y), point(high.x, high.y), point(low.x, high.y)]
+fn footprint(aabb: &Aabb) -> Outline {
+    rectangle(&aabb.min.xy(), &aabb.max.xy())
 }
 
 /// The rooms that a doorway connects: those the scene says, else those whose floors are on its two sides.

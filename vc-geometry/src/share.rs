@@ -40,7 +40,7 @@ type Slab = (NodeId, NodeId, Aabb);
 fn lost(graph: &SceneGraph, node: &Node) -> Vec<Aabb> {
     let slab = |id: NodeId| Some((id, graph.room_of(id)?, graph.node(id)?.aabb()?));
     let Some(own) = slab(node.id()) else { return Vec::new() };
-    let all: Vec<Slab> = graph.of_class(node.class()).into_iter().filter_map(slab).collect();
+    let all: Vec<Slab> = graph.of_role(node.role()).filter_map(|other| slab(other.id())).collect();
     let is_level = |other: &Slab| (other.2.max.z - own.2.max.z).abs() < STEP;
     let rivals: Vec<Slab> = all.iter().copied().filter(is_level).filter(|o| both(&own.2, &o.2).is_some()).collect();
     if rivals.iter().all(|rival| rival.1 == own.1) {

@@ -1,16 +1,84 @@
 //! Reading numbers from a file's bytes, with every range checked.
 
+use std::cell::RefCell;
 use std::collections::BTreeMap;
+use std::rc::Rc;
 
 use super::GltfError;
 use super::buffers::Buffers;
-use super::document::{Accessor, BYTE, Document, FLOAT, INT, SHORT, SIGNED_BYTE, SIGNED_SHORT, Sparse};
+use super::document::{Accessor, BYTE, Document, FLOAT, INT, SHORT, SIGNED_BYTE, SIGNED_SHORT, Sparse, View};
 
 /// The bytes of a buffer view.
 pub(super) fn slice<'a>(document: &Document, buffers: &'a Buffers<'_>, index: usize) -> Result<&'a [u8], GltfError> {
+    viewed(document, buffers, index)?.1.ok_or(GltfError::BadView(index))
+}
+
+/// A buffer view and its bytes; `None` if they reach beyond its buffer.
+fn viewed<'d, 'a>(
+    document: &'d Document,
+    buffers: &'a Buffers<'_>,
+    index: usize,
+) -> Result<(&'d View, Option<&'a [u8]>), GltfError> {
     let view = document.buffer_views.get(index).ok_or(GltfError::missing("buffer view", index))?;
-    let bytes = range(buffers.get(view.buffer)?, view.byte_offset, Some(view.byte_length));
-    bytes.ok_or(GltfError::BadView(index))
+    let buffer = buffers.get(view.buffer.ok_or(GltfError::NoBuffer(index))?)?;
+    Ok((view, range(buffer, view.byte_offset, Some(view.byte_length))))
+}
+
+/// The accessors of a file. Many primitives may share one, so its sparse part is read once.
+pub(super) struct Accessors<'a> {
+    pub(super) document: &'a Document,
+    buffers: &'a Buffers<'a>,
+    replaced: RefCell<BTreeMap<usize, Rc<Replaced<'a>>>>,
+}
+
+impl<'a> Accessors<'a> {
+    pub(super) fn new(document: &'a Document, buffers: &'a Buffers<'a>) -> Self {
+        Self { document, buffers, replaced: RefCell::default() }
+    }
+
+    /// Positions, as floats or quantised.
+    pub(super) fn vectors(&self, index: usize) -> Result<Elements<'a>, GltfError> {
+        self.elements(index, "VEC3", 3)
+    }
+
+    /// Indices: unsigned integers.
+    pub(super) fn indices(&self, index: usize) -> Result<Elements<'a>, GltfError> {
+        let all = self.elements(index, "SCALAR", 1)?;
+        let whole = [BYTE, SHORT, INT].contains(&all.component);
+        whole.then_some(all).ok_or(GltfError::BadAccessor { index, reason: "has no whole numbers: indices are" })
+    }
+
+    /// Texture coordinates, as floats or quantised.
+    pub(super) fn pairs(&self, index: usize) -> Result<Elements<'a>, GltfError> {
+        self.elements(index, "VEC2", 2)
+    }
+
+    fn elements(&self, index: usize, kind: &str, components: usize) -> Result<Elements<'a>, GltfError> {
+        let bad = |reason| GltfError::BadAccessor { index, reason };
+        let accessor = self.document.accessors.get(index).ok_or(GltfError::missing("accessor", index))?;
+        if accessor.kind != kind {
+            return Err(bad("has another shape of element than its use needs"));
+        }
+        let (count, component, normalized) = (accessor.count, accessor.component_type, accessor.normalized);
+        let size = components * width(component).ok_or(bad("has another type of number than is read"))?;
+        let source = Source { document: self.document, buffers: self.buffers, index };
+        let dense = accessor.buffer_view.map(|view| source.run(view, accessor.byte_offset, count, size)).transpose()?;
+        let replaced = self.replaced(&source, accessor, size)?;
+        if dense.is_none() && accessor.sparse.is_none() {
+            return Err(bad("has no buffer view: export without compression"));
+        }
+        Ok(Elements { count, component, normalized, dense, replaced })
+    }
+
+    /// The sparse part of an accessor. The shape of an element, and so its size, is the same at each use.
+    fn replaced(&self, source: &Source<'a>, accessor: &Accessor, size: usize) -> Result<Rc<Replaced<'a>>, GltfError> {
+        if let Some(read) = self.replaced.borrow().get(&source.index) {
+            return Ok(read.clone());
+        }
+        let read = Rc::new(source.replaced(accessor, size)?);
+        self.replaced.borrow_mut().insert(source.index, read.clone());
+        Ok(read)
+    }
 }
 
 /// The elements of an accessor.
@@ -20,50 +88,10 @@ pub(super) struct Elements<'a> {
     normalized: bool,
     /// The elements of the buffer view; without one, all elements but the replaced ones are zero.
     dense: Option<Run<'a>>,
-    replaced: Replaced<'a>,
+    replaced: Rc<Replaced<'a>>,
 }
 
 impl<'a> Elements<'a> {
-    fn new(
-        document: &Document,
-        buffers: &'a Buffers<'_>,
-        index: usize,
-        kind: &str,
-        components: usize,
-    ) -> Result<Self, GltfError> {
-        let bad = |reason| GltfError::BadAccessor { index, reason };
-        let accessor = document.accessors.get(index).ok_or(GltfError::missing("accessor", index))?;
-        if accessor.kind != kind {
-            return Err(bad("has another shape of element than its use needs"));
-        }
-        let (count, component, normalized) = (accessor.count, accessor.component_type, accessor.normalized);
-        let size = components * width(component).ok_or(bad("has another type of number than is read"))?;
-        let source = Source { document, buffers, index };
-        let dense = accessor.buffer_view.map(|view| source.run(view, accessor.byte_offset, count, size)).transpose()?;
-        let replaced = source.replaced(accessor, size)?;
-        if dense.is_none() && accessor.sparse.is_none() {
-            return Err(bad("has no buffer view: export without compression"));
-        }
-        Ok(Self { count, component, normalized, dense, replaced })
-    }
-
-    /// Positions, as floats or quantised.
-    pub(super) fn vectors(document: &Document, buffers: &'a Buffers<'_>, index: usize) -> Result<Self, GltfError> {
-        Self::new(document, buffers, index, "VEC3", 3)
-    }
-
-    /// Indices: unsigned integers.
-    pub(super) fn indices(document: &Document, buffers: &'a Buffers<'_>, index: usize) -> Result<Self, GltfError> {
-        let all = Self::new(document, buffers, index, "SCALAR", 1)?;
-        let whole = [BYTE, SHORT, INT].contains(&all.component);
-        whole.then_some(all).ok_or(GltfError::BadAccessor { index, reason: "has no whole numbers: indices are" })
-    }
-
-    /// Texture coordinates, as floats or quantised.
-    pub(super) fn pairs(document: &Document, buffers: &'a Buffers<'_>, index: usize) -> Result<Self, GltfError> {
-        Self::new(document, buffers, index, "VEC2", 2)
-    }
-
     /// The numbers of an element; `None` if the index is out of range.
     pub(super) fn numbers<const N: usize>(&self, at: usize) -> Option<[f32; N]> {
         let mut all = [0.0; N];
@@ -113,20 +141,19 @@ impl<'a> Run<'a> {
 }
 
 /// The source of an accessor's elements.
-struct Source<'d, 'a, 'b> {
-    document: &'d Document,
-    buffers: &'a Buffers<'b>,
+struct Source<'a> {
+    document: &'a Document,
+    buffers: &'a Buffers<'a>,
     index: usize,
 }
 
-impl<'a> Source<'_, 'a, '_> {
+impl<'a> Source<'a> {
     fn bad(&self, reason: &'static str) -> GltfError {
         GltfError::BadAccessor { index: self.index, reason }
     }
 
     fn run(&self, view: usize, offset: usize, count: usize, size: usize) -> Result<Run<'a>, GltfError> {
-        let view = self.document.buffer_views.get(view).ok_or(GltfError::missing("buffer view", view))?;
-        let bytes = range(self.buffers.get(view.buffer)?, view.byte_offset, Some(view.byte_length));
+        let (view, bytes) = viewed(self.document, self.buffers, view)?;
         let bytes = bytes.and_then(|b| range(b, offset, None)).ok_or_else(|| self.bad("reaches beyond its buffer"))?;
         let stride = view.byte_stride.unwrap_or(size);
         let needed = (count.saturating_sub(1)).checked_mul(stride).and_then(|n| n.checked_add(size));

@@ -16,8 +16,7 @@ impl<'a> Buffers<'a> {
         Self(each.map(|(buffer, own)| buffer.uri.as_deref().map_or(own, |uri| inline(uri).map(Cow::Owned))).collect())
     }
 
-    pub(super) fn get(&self, number: Option<usize>) -> Result<&[u8], GltfError> {
-        let number = number.unwrap_or(usize::MAX);
+    pub(super) fn get(&self, number: usize) -> Result<&[u8], GltfError> {
         let found = self.0.get(number).ok_or(GltfError::missing("buffer", number))?;
         found.as_deref().ok_or(GltfError::ExternalBuffer(number))
     }

@@ -3,9 +3,8 @@
 use vc_graph::portable::Portable;
 
 use super::GltfError;
-use super::access::Elements;
-use super::buffers::Buffers;
-use super::document::{Document, Material, Primitive, Transform};
+use super::access::{Accessors, Elements};
+use super::document::{Material, Primitive, Transform};
 
 /// A primitive's texture coordinates, and their transform.
 pub(super) struct TextureMap<'a> {
@@ -17,12 +16,8 @@ pub(super) struct TextureMap<'a> {
 impl<'a> TextureMap<'a> {
     /// The texture coordinates of a primitive; `None` if its material has no texture or it has no
     /// coordinates for it.
-    pub(super) fn new(
-        document: &Document,
-        buffers: &'a Buffers<'_>,
-        primitive: &Primitive,
-    ) -> Result<Option<Self>, GltfError> {
-        let material = primitive.material.and_then(|m| document.materials.get(m));
+    pub(super) fn new(accessors: &Accessors<'a>, primitive: &Primitive) -> Result<Option<Self>, GltfError> {
+        let material = primitive.material.and_then(|m| accessors.document.materials.get(m));
         let Some(texture) = material.and_then(Material::texture) else { return Ok(None) };
         let transform = texture.extensions.transform.clone().unwrap_or_default();
         let accessor = match transform.tex_coord.unwrap_or(texture.tex_coord) {
@@ -31,7 +26,7 @@ impl<'a> TextureMap<'a> {
             _ => None,
         };
         let Some(accessor) = accessor else { return Ok(None) };
-        Ok(Some(Self { pairs: Elements::pairs(document, buffers, accessor)?, accessor, transform }))
+        Ok(Some(Self { pairs: accessors.pairs(accessor)?, accessor, transform }))
     }
 
     pub(super) fn at(&self, index: usize) -> Result<[f32; 2], GltfError> {

@@ -33,6 +33,9 @@ pub enum GltfError {
         /// The index.
         index: usize,
     },
+    /// A buffer view is of no buffer.
+    #[error("buffer view {0} names no buffer: export the model again")]
+    NoBuffer(usize),
     /// A buffer view lies outside its buffer.
     #[error("buffer view {0} reaches beyond its buffer")]
     BadView(usize),
@@ -45,8 +48,8 @@ pub enum GltfError {
         reason: &'static str,
     },
     /// A texture has no image in a supported format.
-    #[error("texture {0} has no picture that is read: export it as PNG or JPEG")]
-    NoPicture(usize),
+    #[error("texture {0} has no image that is read: export it as PNG or JPEG")]
+    NoImage(usize),
     /// An image cannot be used.
     #[error("image `{name}` {reason}")]
     BadImage {

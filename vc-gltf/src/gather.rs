@@ -8,7 +8,7 @@ use vc_graph::asset::{Hold, JointKind};
 use vc_graph::portable::Portable;
 
 use super::GltfError;
-use super::access::Elements;
+use super::access::{Accessors, Elements};
 use super::buffers::Buffers;
 use super::coordinates::TextureMap;
 use super::document::{Document, Node, Primitive};
@@ -65,6 +65,7 @@ type Visit = (usize, Matrix4<f64>, Option<usize>);
 
 /// Collects everything in the default scene, transformed by `frame`.
 pub(super) fn gather(document: &Document, buffers: &Buffers<'_>, frame: Matrix4<f64>) -> Result<Gathered, GltfError> {
+    let accessors = Accessors::new(document, buffers);
     let mut all = Gathered::default();
     let mut visited = vec![false; document.nodes.len()];
     let mut left: Vec<Visit> = roots(document)?.into_iter().rev().map(|n| (n, frame, None)).collect();
@@ -74,7 +75,7 @@ pub(super) fn gather(document: &Document, buffers: &Buffers<'_>, frame: Matrix4<
             return Err(GltfError::NotATree(index));
         }
         let frame = frame * local(node).ok_or(GltfError::NoRotation(index))?;
-        let joint = all.visit(document, buffers, (index, node), &frame, joint)?;
+        let joint = all.visit(&accessors, (index, node), &frame, joint)?;
         left.extend(node.children.iter().rev().map(|&child| (child, frame, joint)));
     }
     Ok(all)
@@ -109,8 +110,7 @@ impl Gathered {
     /// Collects the contents of a node, and returns the joint it moves with.
     fn visit(
         &mut self,
-        document: &Document,
-        buffers: &Buffers<'_>,
+        accessors: &Accessors<'_>,
         (index, node): (usize, &Node),
         frame: &Matrix4<f64>,
         joint: Option<usize>,
@@ -129,7 +129,7 @@ impl Gathered {
             None => joint,
         };
         let first = self.pieces.len();
-        self.mesh(document, buffers, node, frame, joint)?;
+        self.mesh(accessors, node, frame, joint)?;
         if let Some(surface) = note.surface {
             let pieces = first..self.pieces.len();
             if surface.half.is_none() && pieces.is_empty() {
@@ -146,17 +146,16 @@ impl Gathered {
 
     fn mesh(
         &mut self,
-        document: &Document,
-        buffers: &Buffers<'_>,
+        accessors: &Accessors<'_>,
         node: &Node,
         frame: &Matrix4<f64>,
         joint: Option<usize>,
     ) -> Result<(), GltfError> {
         let Some(index) = node.mesh else { return Ok(()) };
-        let mesh = document.meshes.get(index).ok_or(GltfError::missing("mesh", index))?;
+        let mesh = accessors.document.meshes.get(index).ok_or(GltfError::missing("mesh", index))?;
         let name = [&node.name, &mesh.name].into_iter().find(|n| !n.is_empty());
         for primitive in &mesh.primitives {
-            let (points, triangles, uvs) = self.primitive(document, buffers, primitive, frame)?;
+            let (points, triangles, uvs) = self.primitive(accessors, primitive, frame)?;
             if !triangles.is_empty() {
                 let name = name.cloned().unwrap_or_else(|| format!("mesh_{index}"));
                 self.pieces.push(Piece { name, joint, material: primitive.material, points, triangles, uvs });
@@ -167,16 +166,15 @@ impl Gathered {
 
     fn primitive(
         &mut self,
-        document: &Document,
-        buffers: &Buffers<'_>,
+        accessors: &Accessors<'_>,
         primitive: &Primitive,
         frame: &Matrix4<f64>,
     ) -> Result<Triangles, GltfError> {
         let mode = primitive.mode.unwrap_or(4);
         let (4..=6, Some(position)) = (mode, primitive.attributes.position) else { return Ok(Default::default()) };
-        let positions = Elements::vectors(document, buffers, position)?;
-        let indices = primitive.indices.map(|i| Elements::indices(document, buffers, i)).transpose()?;
-        let map = TextureMap::new(document, buffers, primitive)?;
+        let positions = accessors.vectors(position)?;
+        let indices = primitive.indices.map(|i| accessors.indices(i)).transpose()?;
+        let map = TextureMap::new(accessors, primitive)?;
         let corners = indices.as_ref().map_or(positions.count, |i| i.count);
         let count = if mode == 4 { corners / 3 } else { corners.saturating_sub(2) };
         // An empty primitive counts too, so that reading time is bounded for every file.

@@ -199,7 +199,7 @@ impl<'a> Paints<'a> {
 
     fn image(&self, texture: usize) -> Result<usize, GltfError> {
         let found = self.document.textures.get(texture).ok_or(GltfError::missing("texture", texture))?;
-        found.source.ok_or(GltfError::NoPicture(texture))
+        found.source.ok_or(GltfError::NoImage(texture))
     }
 
     fn miss(&mut self, error: GltfError) {

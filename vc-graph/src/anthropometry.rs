@@ -26,6 +26,16 @@ pub struct Anthropometry {
     pub eye: f32,
     /// From the hips to the shoulders, as a share of the stature.
     pub torso: f32,
+    /// Height of the ankles, metres, with shoes.
+    pub ankle: f32,
+    /// From the shoulder to the elbow, metres.
+    pub upper_arm: f32,
+    /// From the elbow to the middle of the hand, metres.
+    pub forearm: f32,
+    /// From the middle of the body to a shoulder joint, metres.
+    pub half_shoulders: f32,
+    /// From the middle of the body to a hip joint, metres.
+    pub half_hips: f32,
     /// Height of one who sits above the seat, as a share of the stature.
     pub sitting: f32,
     /// Depth of a standing body from back to front, metres: the box around it.
@@ -53,7 +63,18 @@ pub struct Anthropometry {
     pub reach: f32,
     /// How far the shoulders come forward when a person leans, metres: the trunk bent by 54 degrees, as over a table.
     pub lean: f32,
-    /// The length of an arm, metres: things no farther from each other are within arm's reach.
+    /// The farthest that the trunk bends forward, radians.
+    pub bend: f32,
+    /// The farthest that the trunk turns around the spine, radians.
+    pub twist: f32,
+    /// How far the hips move forward over the feet at most, metres.
+    pub sway: f32,
+    /// How far the hips sink at most when a person squats, metres.
+    pub squat: f32,
+    /// How far the body rises on its toes, metres.
+    pub tiptoe: f32,
+    /// The length of an arm to the tips of the fingers, metres: things no farther from each other are within arm's
+    /// reach.
     pub arm: f32,
     /// Distance along the floor, from the middle of the body to a thing, at which the thing is to be reached in a home
     /// that is being furnished, metres: less than reach and lean together, so that nobody has to bend far.
@@ -75,6 +96,11 @@ impl Anthropometry {
         shoulder: 0.82,
         eye: 0.93,
         torso: 0.29,
+        ankle: 0.08,
+        upper_arm: 0.29,
+        forearm: 0.33,
+        half_shoulders: 0.2,
+        half_hips: 0.095,
         sitting: 0.52,
         depth: 0.4,
         breadth: 0.5,
@@ -87,6 +113,11 @@ impl Anthropometry {
         flat: 0.03,
         reach: 0.8,
         lean: 0.4,
+        bend: 1.25,
+        twist: 0.85,
+        sway: 0.2,
+        squat: 0.6,
+        tiptoe: 0.08,
         arm: 0.75,
         ahead: 0.95,
         overhead: 2.1,
@@ -94,6 +125,16 @@ impl Anthropometry {
         handy: 1.0,
         view: 1.55,
     };
+
+    /// Height of the hips of one who stands, metres.
+    ///
+    /// ```
+    /// use vc_graph::Anthropometry;
+    /// assert!((Anthropometry::ADULT.hip() - 0.9).abs() < 0.01);
+    /// ```
+    pub const fn hip(&self) -> f32 {
+        (self.shoulder - self.torso) * self.stature
+    }
 }
 
 impl Default for Anthropometry {

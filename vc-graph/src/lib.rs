@@ -30,6 +30,7 @@ mod seed;
 pub mod serial;
 mod simulator;
 mod spelling;
+pub mod srgb;
 mod state;
 mod store;
 mod texture;

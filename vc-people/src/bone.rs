@@ -63,11 +63,9 @@ impl BodySide {
 }
 
 /// Lengths of the upper arm, and of the forearm to the palm, metres.
-pub(crate) const ARM: [f32; 2] = [0.29, 0.33];
+pub(crate) const ARM: [f32; 2] = [ADULT.upper_arm, ADULT.forearm];
 /// Lengths of thigh and shin, metres.
-pub(crate) const LEG: [f32; 2] = [0.40, 0.40];
-/// Height of the ankles, metres.
-pub(crate) const ANKLE: f32 = 0.08;
+pub(crate) const LEG: [f32; 2] = [(ADULT.hip() - ADULT.ankle) / 2.0; 2];
 
 impl Bone {
     /// All bones, parents before children.
@@ -110,18 +108,18 @@ impl Bone {
 
     /// The joint's position while the figure stands with its arms down, metres.
     pub fn anchor(self) -> Point3<f32> {
-        let hip = ANKLE + LEG[0] + LEG[1];
-        let shoulder = ADULT.shoulder * ADULT.stature;
+        let (hip, shoulder) = (ADULT.hip(), ADULT.shoulder * ADULT.stature);
+        let (arms, legs) = (ADULT.half_shoulders, ADULT.half_hips);
         match self {
             Self::Pelvis => Point3::new(0.0, 0.0, hip),
             Self::Chest => Point3::new(0.0, 0.0, hip + 0.12),
             Self::Head => Point3::new(0.0, 0.0, shoulder + 0.06),
-            Self::UpperArm(s) => Point3::new(0.0, 0.2 * s.sign(), shoulder),
-            Self::Forearm(s) => Point3::new(0.0, 0.2 * s.sign(), shoulder - ARM[0]),
-            Self::Hand(s) => Point3::new(0.0, 0.2 * s.sign(), shoulder - ARM[0] - ARM[1] + 0.08),
-            Self::Thigh(s) => Point3::new(0.0, 0.095 * s.sign(), hip),
-            Self::Shin(s) => Point3::new(0.0, 0.095 * s.sign(), hip - LEG[0]),
-            Self::Foot(s) => Point3::new(0.0, 0.095 * s.sign(), ANKLE),
+            Self::UpperArm(s) => Point3::new(0.0, arms * s.sign(), shoulder),
+            Self::Forearm(s) => Point3::new(0.0, arms * s.sign(), shoulder - ARM[0]),
+            Self::Hand(s) => Point3::new(0.0, arms * s.sign(), shoulder - ARM[0] - ARM[1] + 0.08),
+            Self::Thigh(s) => Point3::new(0.0, legs * s.sign(), hip),
+            Self::Shin(s) => Point3::new(0.0, legs * s.sign(), hip - LEG[0]),
+            Self::Foot(s) => Point3::new(0.0, legs * s.sign(), ADULT.ankle),
         }
     }
 

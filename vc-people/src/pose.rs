@@ -4,7 +4,8 @@ use nalgebra::{Point3, UnitQuaternion, Vector3};
 use vc_graph::portable::Portable;
 use vc_graph::{Pose, Verb};
 
-use super::bone::{ANKLE, BodySide, Bone, LEG};
+use super::ADULT;
+use super::bone::{BodySide, Bone, LEG};
 use super::reach::{Reach, TrunkBend};
 use super::shape::palm;
 use super::skeleton::{Skeleton, pitch};
@@ -109,12 +110,12 @@ impl Skeleton {
     /// Turns the head towards what is reached for, as far as a neck turns, and upright however the
     /// chest is bent.
     fn look(&mut self, activity: &Activity) {
-        let Some(Reach { point, looks, .. }) = activity.reach.filter(|reach| reach.looks > 0.0) else { return };
+        let Some(Reach { point, gaze, .. }) = activity.reach.filter(|reach| reach.gaze > 0.0) else { return };
         let own = |s: &Self| s.motion(Bone::Chest).rotation.inverse() * s.motion(Bone::Head).rotation;
         let rest = own(self);
         self.turn_head(point, 0.0, 0.0);
         let there = own(self);
-        self.turn(Bone::Head, rest.try_slerp(&there, looks, 1e-6).unwrap_or(there));
+        self.turn(Bone::Head, rest.try_slerp(&there, gaze, 1e-6).unwrap_or(there));
     }
 
     /// Turns the head upright from looking ahead and so far down just so far that a point is at most an angle from the
@@ -149,14 +150,14 @@ impl Skeleton {
         self.look(activity);
         for side in BodySide::BOTH {
             let knee = LEG[0] - 0.1;
-            let floor = (ANKLE - height).max(0.09 - LEG[1]);
+            let floor = (ADULT.ankle - height).max(0.09 - LEG[1]);
             self.put_foot(side, Point3::new(knee + 0.03, 0.11 * side.sign(), floor), 0.0);
         }
     }
 
     fn lie(&mut self) {
         let turn = UnitQuaternion::from_axis_angle(&Vector3::y_axis(), -std::f32::consts::FRAC_PI_2);
-        self.carry(Pose::from_parts(nalgebra::Translation3::new(0.85, 0.0, 0.12), turn));
+        self.carry(Pose::from_parts(nalgebra::Translation3::new(ADULT.stature / 2.0, 0.0, 0.12), turn));
     }
 
     /// Poses an arm that holds nothing: it reaches, makes a gesture, or swings.
@@ -214,7 +215,7 @@ mod tests {
     use super::*;
 
     fn reach(point: Point3<f32>) -> Reach {
-        Reach { side: BodySide::Right, point, share: 1.0, looks: 1.0 }
+        Reach { side: BodySide::Right, point, share: 1.0, gaze: 1.0 }
     }
 
     fn joined(skeleton: &Skeleton) -> bool {
@@ -279,7 +280,7 @@ mod tests {
             let skeleton = Skeleton::new(BodyPosture::Standing, &activity, [None, None]);
             for side in BodySide::BOTH {
                 let ankle = skeleton.motion(Bone::Foot(side)) * Bone::Foot(side).anchor();
-                assert!(ankle.z > ANKLE - 0.02, "{ankle:?}");
+                assert!(ankle.z > ADULT.ankle - 0.02, "{ankle:?}");
             }
         }
     }

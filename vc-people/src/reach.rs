@@ -3,16 +3,10 @@
 use nalgebra::{Point3, UnitQuaternion, Vector3};
 use vc_graph::Pose;
 
+use super::ADULT;
 use super::bone::{ARM, BodySide, Bone, LEG};
 use super::skeleton::{STRETCH, about, pitch};
 
-/// Largest bend at the waist and largest forward turn of the shoulder, radians.
-const BEND: f32 = 1.25;
-const TWIST: f32 = 0.85;
-/// Largest motion of the hips forward, down and up, metres.
-const LEAN: f32 = 0.2;
-const SQUAT: f32 = 0.6;
-const TIPTOE: f32 = 0.08;
 /// Backward motion of the hips per metre of a squat.
 const BACK: f32 = 0.2;
 /// Number of steps in which each motion is tried.
@@ -24,7 +18,7 @@ const STEPS: usize = 16;
 /// use nalgebra::Point3;
 /// use vc_people::{Activity, BodyPosture, BodySide, Bone, Reach, Skeleton, palm};
 /// let point = Point3::new(0.5, -0.2, 1.1);
-/// let reach = Reach { side: BodySide::Right, point, share: 1.0, looks: 1.0 };
+/// let reach = Reach { side: BodySide::Right, point, share: 1.0, gaze: 1.0 };
 /// let activity = Activity { reach: Some(reach), ..Activity::default() };
 /// let skeleton = Skeleton::new(BodyPosture::Standing, &activity, [None, None]);
 /// let hand = skeleton.motion(Bone::Hand(BodySide::Right)) * palm(BodySide::Right);
@@ -39,7 +33,7 @@ pub struct Reach {
     /// Progress of the hand, 0 to 1.
     pub share: f32,
     /// Progress of the eyes' turn towards the point, 0 to 1.
-    pub looks: f32,
+    pub gaze: f32,
 }
 
 /// The configuration of the trunk for a reaching hand.
@@ -57,12 +51,13 @@ pub(super) struct TrunkBend {
 /// vertically; bending and turning happen in the first stage.
 const WAYS: [(TrunkBend, [usize; 2]); 4] = [
     // Squat, then lean; or lean first.
-    (TrunkBend { bend: BEND, twist: TWIST, lean: LEAN, rise: -SQUAT }, [2, 1]),
-    (TrunkBend { bend: BEND, twist: TWIST, lean: LEAN, rise: -SQUAT }, [1, 2]),
+    (LOWEST, [2, 1]),
+    (LOWEST, [1, 2]),
     // On the toes, upright or bent over something.
-    (TrunkBend { bend: 0.0, twist: TWIST, lean: LEAN, rise: TIPTOE }, [1, 0]),
-    (TrunkBend { bend: BEND / 2.0, twist: TWIST, lean: LEAN, rise: TIPTOE }, [1, 0]),
+    (TrunkBend { bend: 0.0, rise: ADULT.tiptoe, ..LOWEST }, [1, 0]),
+    (TrunkBend { bend: ADULT.bend / 2.0, rise: ADULT.tiptoe, ..LOWEST }, [1, 0]),
 ];
+const LOWEST: TrunkBend = TrunkBend { bend: ADULT.bend, twist: ADULT.twist, lean: ADULT.sway, rise: -ADULT.squat };
 
 impl TrunkBend {
     /// The smallest stoop with which the hand reaches a point, or the one that brings the hand nearest. The

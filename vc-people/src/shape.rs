@@ -4,7 +4,8 @@ use nalgebra::{Point3, UnitQuaternion, Vector3};
 use vc_graph::asset::{AssetError, Material, Part, Shape};
 use vc_graph::{Asset, AssetLibrary, Pose};
 
-use super::bone::{ANKLE, ARM, BodySide, Bone, LEG};
+use super::ADULT;
+use super::bone::{ARM, BodySide, Bone, LEG};
 
 /// Linear reflectance of shirts and trousers, by the person's number.
 const CLOTHES: [[[f32; 3]; 2]; 4] = [
@@ -119,13 +120,9 @@ fn head(stuff: &Stuff, parts: &mut Vec<Part>) {
 }
 
 fn arm(stuff: &Stuff, side: BodySide, parts: &mut Vec<Part>) {
-    parts.push(part(
-        "shoulder",
-        Bone::UpperArm(side),
-        Shape::Sphere { radius: SHOULDER },
-        stuff.shirt,
-        Vector3::zeros(),
-    ));
+    // A little larger than the end of the shoulder blade: of two colours in one place, either would be seen by chance.
+    let shoulder = Shape::Sphere { radius: SHOULDER + 0.001 };
+    parts.push(part("shoulder", Bone::UpperArm(side), shoulder, stuff.shirt, Vector3::zeros()));
     parts.push(limb("upper arm", Bone::UpperArm(side), ARM[0], 0.046, stuff.shirt));
     parts.push(limb("forearm", Bone::Forearm(side), ARM[1] - 0.08, 0.036, stuff.skin));
     let palm = block([0.036, 0.017, 0.05], 0.016);
@@ -140,7 +137,7 @@ fn leg(stuff: &Stuff, side: BodySide, parts: &mut Vec<Part>) {
     parts.push(limb("thigh", Bone::Thigh(side), LEG[0], 0.074, stuff.trousers));
     parts.push(limb("shin", Bone::Shin(side), LEG[1] - 0.02, 0.054, stuff.trousers));
     let shoe = block([0.125, 0.046, 0.038], 0.034);
-    parts.push(part("shoe", Bone::Foot(side), shoe, stuff.shoes, Vector3::new(0.055, 0.0, 0.038 - ANKLE)));
+    parts.push(part("shoe", Bone::Foot(side), shoe, stuff.shoes, Vector3::new(0.055, 0.0, 0.038 - ADULT.ankle)));
 }
 
 /// The position of the palm when the arm hangs down.

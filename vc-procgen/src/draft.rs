@@ -5,15 +5,15 @@ use std::rc::Rc;
 use std::sync::Arc;
 
 use nalgebra::Vector3;
-use vc_graph::{Asset, Bounds, Seed};
-use vc_shapes::Style;
-use vc_shapes::object::{Generator, Object, generator, usual_size};
+use vc_graph::{Asset, Bounds, ObjectRole, Seed};
+use vc_shapes::{Generator, Object, Style};
 
 /// A planned object: placements are found by its size alone, and the object is generated once it
 /// has one.
 #[derive(Debug, Clone)]
 pub(crate) struct Draft {
     pub(crate) class: &'static str,
+    role: ObjectRole,
     size: Vector3<f32>,
     source: Source,
 }
@@ -22,24 +22,24 @@ pub(crate) struct Draft {
 enum Source {
     Made(Arc<Object>),
     /// Clones of a draft share the generated object.
-    Planned(&'static Generator, Seed, Rc<OnceCell<Arc<Object>>>),
+    Planned(Generator, Seed, Rc<OnceCell<Arc<Object>>>),
 }
 
 impl Draft {
-    /// A draft no larger than `size`; `None` if the class has no generator.
-    pub(crate) fn sized(class: &str, size: Vector3<f32>, seed: Seed) -> Option<Self> {
-        let generator = generator(class)?;
-        Some(Self { class: generator.class, size, source: Source::Planned(generator, seed, Rc::default()) })
+    /// A draft no larger than `size`.
+    pub(crate) fn sized(generator: &Generator, size: Vector3<f32>, seed: Seed) -> Self {
+        let source = Source::Planned(*generator, seed, Rc::default());
+        Self { class: generator.class, role: generator.role(), size, source }
     }
 
     /// A draft of the class's usual size.
-    pub(crate) fn usual(class: &str, seed: Seed) -> Option<Self> {
-        Self::sized(class, usual_size(class, seed), seed)
+    pub(crate) fn usual(generator: &Generator, seed: Seed) -> Self {
+        Self::sized(generator, generator.usual_size(seed), seed)
     }
 
     /// A draft of an existing object.
     pub(crate) fn from_object(object: Arc<Object>) -> Self {
-        Self { class: object.class, size: object.size(), source: Source::Made(object) }
+        Self { class: object.class, role: object.role, size: object.size(), source: Source::Made(object) }
     }
 
     /// Its class.
@@ -54,7 +54,7 @@ impl Draft {
 
     /// Its box without any parts, used to find a placement.
     pub(crate) fn outline(&self) -> Object {
-        Object { class: self.class, asset: Asset::default(), bounds: Bounds::standing(self.size) }
+        Object { role: self.role, ..Object::new(self.class, Asset::default(), Bounds::standing(self.size)) }
     }
 
     /// The object with sole ownership.

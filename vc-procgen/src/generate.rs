@@ -1,6 +1,7 @@
 //! Generation of whole apartments: floor plan, furniture and clutter, repaired or rejected.
 
 use vc_graph::Seed;
+use vc_shapes::Generators;
 
 use crate::apartment::Apartment;
 use crate::error::SpecificationError;
@@ -44,18 +45,64 @@ impl Apartment {
     /// # Errors
     /// [`SpecificationError`] states the requirement that cannot be fulfilled.
     pub fn generate(specification: &Specification, seed: Seed) -> Result<Self, SpecificationError> {
-        specification.check()?;
-        attempts(|attempt| Self::attempt(specification, seed, attempt))
+        Self::generate_by(specification, &Generators::BUILTIN, seed)
     }
 
-    fn attempt(specification: &Specification, seed: Seed, attempt: u64) -> Result<Self, SpecificationError> {
+    /// As [`generate`](Self::generate), with the generators of a program's own classes beside the built-in ones. The
+    /// row of an own class says where its things are:
+    ///
+    /// - Things that can be grasped lie, by chance, on and in the furniture where they are kept
+    ///   (`kitchen/on/kitchen_counter:3`).
+    /// - A piece of furniture stands at a wall of each room in which it is kept (`hallway:1`), if there is space for it.
+    ///
+    /// [`scene_with_classes`](Self::scene_with_classes) makes the scene, with the same class table.
+    ///
+    /// ```
+    /// use vc_graph::{ClassTable, Seed};
+    /// use vc_procgen::{Apartment, Specification};
+    /// use vc_shapes::material::OAK;
+    /// use vc_shapes::{Build, Generator, Generators, Realm};
+    ///
+    /// fn plinth(b: &mut Build<'_>) {
+    ///     let (x, y) = (b.size.x / 2.0, b.size.y / 2.0);
+    ///     b.block("block", [-x, -y, 0.0], [x, y, b.size.z], OAK);
+    /// }
+    ///
+    /// let row = "plinth | decoration | | furniture | surface | 0.25 0.25 0.8-1.0 | 9 | | | living_room:1";
+    /// let classes = ClassTable::builtin().extended("mine.txt", row)?;
+    /// let mut generators = Generators::default();
+    /// generators.register(&classes, Generator::new("plinth", Realm::Indoor, 1, plinth))?;
+    /// let home = Apartment::generate_by(&Specification::default(), &generators, Seed(42))?;
+    /// let scene = home.scene_with_classes(classes.into());
+    /// assert_eq!(scene.of_class("plinth").len(), 1);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`SpecificationError`] states the requirement that cannot be fulfilled.
+    pub fn generate_by(
+        specification: &Specification,
+        generators: &Generators,
+        seed: Seed,
+    ) -> Result<Self, SpecificationError> {
+        specification.check()?;
+        attempts(|attempt| Self::attempt(specification, generators, seed, attempt))
+    }
+
+    fn attempt(
+        specification: &Specification,
+        generators: &Generators,
+        seed: Seed,
+        attempt: u64,
+    ) -> Result<Self, SpecificationError> {
         let own = sub_seed(seed, attempt);
-        let (Layout { plan, style, mut furniture }, drafts) = Layout::attempt(specification, seed, attempt)?;
+        let (Layout { plan, style, mut furniture }, drafts) =
+            Layout::attempt(specification, generators, seed, attempt)?;
         furnish::make(&mut furniture, &drafts, &style);
         let mut items = structure::build(&plan, &style, own.child("structure"));
         append(&mut items, furniture);
         let mut home = Self { seed, plan, style, items };
-        clutter::fill(&mut home, specification.clutter.unwrap_or(0.6), own);
+        clutter::fill(&mut home, generators, specification.clutter.unwrap_or(0.6), own);
         match home.repair() {
             None => Ok(home),
             Some(violation) => Err(SpecificationError::Unsound { attempts: attempt as usize + 1, last: violation }),

@@ -1,7 +1,7 @@
 //! A furnished floor plan before any object is generated: rooms, and furniture as boxes.
 
 use vc_graph::Seed;
-use vc_shapes::Style;
+use vc_shapes::{Generators, Style};
 
 use crate::check;
 use crate::draft::Draft;
@@ -61,13 +61,26 @@ impl Layout {
     /// # Errors
     /// [`SpecificationError`] states the requirement that cannot be fulfilled.
     pub fn generate(specification: &Specification, seed: Seed) -> Result<Self, SpecificationError> {
+        Self::generate_by(specification, &Generators::BUILTIN, seed)
+    }
+
+    /// As [`generate`](Self::generate), with the generators of a program's own classes beside the built-in ones.
+    ///
+    /// # Errors
+    /// [`SpecificationError`] states the requirement that cannot be fulfilled.
+    pub fn generate_by(
+        specification: &Specification,
+        generators: &Generators,
+        seed: Seed,
+    ) -> Result<Self, SpecificationError> {
         specification.check()?;
-        attempts(|attempt| Self::attempt(specification, seed, attempt)).map(|(layout, _)| layout)
+        attempts(|attempt| Self::attempt(specification, generators, seed, attempt)).map(|(layout, _)| layout)
     }
 
     /// One attempt, with the drafts of the furniture.
     pub(crate) fn attempt(
         specification: &Specification,
+        generators: &Generators,
         seed: Seed,
         attempt: u64,
     ) -> Result<(Self, Vec<Draft>), SpecificationError> {
@@ -82,7 +95,7 @@ impl Layout {
         if specification.balconies.is_some_and(|wished| balconies < wished) {
             return Err(SpecificationError::NoPlan { rooms: programme.wishes.len(), area: programme.area() });
         }
-        let (mut furniture, mut drafts) = furnish::furnish(&plan, &style, own)?;
+        let (mut furniture, mut drafts) = furnish::furnish(&plan, (&style, generators), own)?;
         clear_ways(&plan, &mut furniture, &mut drafts)?;
         Ok((Self { plan, style, furniture }, drafts))
     }

@@ -6,7 +6,8 @@ use std::sync::Arc;
 use nalgebra::Vector3;
 use vc_graph::asset::Hold;
 use vc_graph::{
-    AssetId, Bounds, BoundsFrame, Draft, Edge, EditError, ObjectRole, Pose, Relation, SceneBuilder, SceneGraph, State,
+    AssetId, Bounds, BoundsFrame, ClassTable, Draft, Edge, EditError, ObjectRole, Pose, Relation, SceneBuilder,
+    SceneGraph, State,
 };
 use vc_shapes::object::Object;
 
@@ -31,7 +32,12 @@ impl Apartment {
     /// # Ok::<(), vc_procgen::SpecificationError>(())
     /// ```
     pub fn scene(&self) -> SceneGraph {
-        let mut builder = SceneBuilder::new(format!("apartment_{}", self.seed.0));
+        self.scene_with_classes(ClassTable::builtin())
+    }
+
+    /// As [`scene`](Self::scene), with the class table of a program's own classes.
+    pub fn scene_with_classes(&self, classes: Arc<ClassTable>) -> SceneGraph {
+        let mut builder = SceneBuilder::with_classes(format!("apartment_{}", self.seed.0), classes);
         // New identifiers, existing endpoints and supports without cycles leave no reason for an error.
         let _ = self.fill(&mut builder);
         builder.build()
@@ -66,7 +72,7 @@ impl Apartment {
 
     fn edges(&self) -> Vec<Edge> {
         let mut floors = vec![None; self.plan.rooms.len()];
-        for (index, item) in self.items.iter().enumerate().filter(|(_, i)| i.object.role() == ObjectRole::Floor) {
+        for (index, item) in self.items.iter().enumerate().filter(|(_, i)| i.object.role == ObjectRole::Floor) {
             floors.get_mut(item.room).into_iter().for_each(|floor| *floor = Some(self.item_id(index)));
         }
         let mut edges = Vec::with_capacity(2 * self.items.len());
@@ -81,7 +87,7 @@ impl Apartment {
                 Support::Wall | Support::Ceiling | Support::Built => None,
             };
             edges.extend(room.into_iter().chain(support).map(|(relation, to)| Edge::new(id, relation, to)));
-            if item.object.role() == ObjectRole::Door {
+            if item.object.role == ObjectRole::Door {
                 let rooms = std::iter::once(item.room).chain(item.between).filter(is_room);
                 edges.extend(rooms.map(|room| Edge::new(id, Relation::Between, self.room_id(room))));
             }

@@ -46,7 +46,7 @@ impl Solids {
             build.top(name, centre, area);
         }
         let (asset, _) = build.finish();
-        Some((Object { class: self.class, asset, bounds: Bounds::standing(high - low) }, at))
+        Some((Object::new(self.class, asset, Bounds::standing(high - low)), at))
     }
 }
 

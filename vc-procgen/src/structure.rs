@@ -298,11 +298,8 @@ fn shorter(rect: Rect, way: &PlanOpening, room: usize) -> Rect {
 
 /// The empty floor of a room without rectangles.
 fn unreachable_floor(room: usize) -> Item {
-    let object = Object {
-        class: "floor",
-        asset: vc_graph::Asset::default(),
-        bounds: vc_graph::Bounds::standing(Vector3::repeat(0.1)),
-    };
+    let bounds = vc_graph::Bounds::standing(Vector3::repeat(0.1));
+    let object = Object::new("floor", vc_graph::Asset::default(), bounds);
     fixed(Arc::new(object), Pose::identity(), room)
 }
 

@@ -1,18 +1,18 @@
-//! The catalogue: numbered instances of every built-in class.
+//! The catalogue: numbered instances of every class.
 
 use vc_graph::asset::{Part, Shape};
 use vc_graph::hash::Digester;
 use vc_graph::{Digest, Pose, Seed};
 
 use crate::Style;
-use crate::object::{Generator, Object, generators};
+use crate::object::{Generator, Generators, Object, generators};
 
 /// One object of the catalogue.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub struct Instance {
     /// The generator that made it.
-    pub generator: &'static Generator,
+    pub generator: Generator,
     /// Its index within the class, from zero.
     pub index: usize,
     /// The style it is made in.
@@ -24,15 +24,20 @@ pub struct Instance {
 impl Generator {
     /// Generates the catalogue's instance of this class with the given index: of the class's usual
     /// size, in a style of its own. Any index is allowed, also beyond `instances`.
-    pub fn instance(&'static self, seed: Seed, index: usize) -> Instance {
+    pub fn instance(&self, seed: Seed, index: usize) -> Instance {
         let seed = seed.child(self.class).nth(index as u64);
         let style = Style::from_seed(seed);
-        Instance { generator: self, index, style, object: self.object(&style, seed) }
+        Instance { generator: *self, index, style, object: self.object(&style, seed) }
+    }
+
+    fn instances_of(&self, seed: Seed) -> impl Iterator<Item = Instance> {
+        let generator = *self;
+        (0..self.instances).map(move |index| generator.instance(seed, index))
     }
 }
 
-/// All objects of the catalogue for a seed: the number of `instances` of every generator, by
-/// family.
+/// All objects of the catalogue of built-in classes for a seed: the number of `instances` of every generator, by
+/// family. [`Generators::instances`] has those of a program's own classes, too.
 ///
 /// Each step costs the generation of one object, some microseconds.
 ///
@@ -46,7 +51,14 @@ impl Generator {
 /// assert!(shapes.len() >= 37);
 /// ```
 pub fn instances(seed: Seed) -> impl Iterator<Item = Instance> {
-    generators().flat_map(move |g| (0..g.instances).map(move |i| g.instance(seed, i)))
+    generators().flat_map(move |g| g.instances_of(seed))
+}
+
+impl Generators {
+    /// All objects of the catalogue for a seed, those of built-in classes first.
+    pub fn instances(&self, seed: Seed) -> impl Iterator<Item = Instance> {
+        self.iter().flat_map(move |g| g.instances_of(seed))
+    }
 }
 
 impl Object {

@@ -15,12 +15,13 @@
 //! ```
 //!
 //! [`Generators::register`] adds an object class of your own. [`solid`] is the vocabulary from which generators build;
-//! [`object`] has the built-in ones, [`catalogue`] enumerates instances of all built-in classes, and
+//! [`object`] has the built-in ones, [`catalogue`] enumerates instances of all classes, and
 //! [`material::library`] is the library with the materials of all of them.
 
 #![warn(clippy::disallowed_methods)]
 
 pub mod catalogue;
+mod facts;
 pub mod material;
 pub mod object;
 pub mod solid;

@@ -4,7 +4,7 @@ use std::sync::LazyLock;
 
 use vc_graph::AssetLibrary;
 use vc_graph::asset::Material;
-use vc_graph::portable::Portable;
+use vc_graph::srgb::to_linear;
 
 /// A material of the [table](ALL): its index in every library that this crate makes.
 ///
@@ -331,7 +331,7 @@ pub fn library() -> AssetLibrary {
 
 fn material(name: &str, family: Family, colour: u32) -> Material {
     let [density, friction, restitution, roughness, metallic, transmission] = physics(family);
-    let of = |colour: u32| [16, 8, 0].map(|shift: u32| linear(((colour >> shift) & 0xff) as f32 / 255.0));
+    let of = |colour: u32| [16, 8, 0].map(|shift: u32| to_linear(((colour >> shift) & 0xff) as f32 / 255.0));
     let shines = |by: f32| of(colour).map(|c| c * by);
     let (colour, emission) = match family {
         Family::Glow => (of(colour), shines(40.0)),
@@ -349,9 +349,4 @@ fn material(name: &str, family: Family, colour: u32) -> Material {
         emission,
         ..Material::new(name, colour)
     }
-}
-
-/// sRGB's transfer function (IEC 61966-2-1), to linear.
-fn linear(value: f32) -> f32 {
-    if value <= 0.04045 { value / 12.92 } else { ((value + 0.055) / 1.055).power(2.4) }
 }

@@ -237,8 +237,8 @@ impl Environment {
             for worn in self.graph().relating(Relation::WornBy, agent).filter_map(|id| self.graph().node(id)) {
                 let colour = clothes::colour(self.graph().assets(), worn).unwrap_or([0.5; 3]);
                 let coat = Coat { colour, share: 1.0, roughness: 1.0 };
-                let on =
-                    |joint: &Joint| Bone::from_joint(joint).filter(|b| clothes::covers(worn.class(), *b)).map(|_| coat);
+                let covered = clothes::covered(self.graph().classes(), worn.class());
+                let on = |joint: &Joint| Bone::from_joint(joint).filter(|bone| covered.contains(bone)).map(|_| coat);
                 snapshot.coat_links(agent, on)?;
                 snapshot.hide(worn.id(), true)?;
             }

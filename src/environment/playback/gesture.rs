@@ -84,8 +84,8 @@ impl Player {
         let held = show.world.held(self.agent, aim.hand).and_then(|id| show.palm_on(self.agent, aim.hand, id));
         let (point, out) = held.map_or((aim.point, share), |point| (point, 1.0));
         if let Some(doing) = show.poses.get_mut(&self.agent) {
-            let looks = if aim.looks { share } else { 0.0 };
-            doing.reach = Some(Reach { side: side(aim.hand), point, share: out, looks });
+            let gaze = if aim.looks { share } else { 0.0 };
+            doing.reach = Some(Reach { side: side(aim.hand), point, share: out, gaze });
         }
     }
 

@@ -182,8 +182,8 @@ impl Player {
         let (share, side) = (self.share(), side(hand));
         let held = show.world.held(self.agent, hand).filter(|_| self.handling.out.is_some());
         let reach = match held.and_then(|id| show.palm_on(self.agent, hand, id)) {
-            Some(point) => Some(Reach { side, point, share: 1.0, looks: share }),
-            None => self.handling.at.map(|point| Reach { side, point, share, looks: share }),
+            Some(point) => Some(Reach { side, point, share: 1.0, gaze: share }),
+            None => self.handling.at.map(|point| Reach { side, point, share, gaze: share }),
         };
         let gaze = show.attended(self.agent, [thing]);
         show.poses.insert(self.agent, Activity { reach, gaze, ..Activity::default() });

@@ -3,7 +3,7 @@
 use nalgebra::Point2;
 
 use super::BitGrid;
-use super::spans::{Spans, ceil};
+use super::spans::{Spans, whole_up};
 
 /// The largest number of cells in a grid; larger floors get larger cells.
 const MOST: f32 = 4.0e6;
@@ -90,7 +90,7 @@ impl Raster {
 
     /// The first cell whose centre is not before an offset.
     fn index(&self, offset: f32, most: usize) -> usize {
-        ceil(offset / self.cell - 0.5).min(most)
+        whole_up(offset / self.cell - 0.5).min(most)
     }
 
     /// A point in units of cells from the first cell's corner.

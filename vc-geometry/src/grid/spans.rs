@@ -7,6 +7,8 @@ use std::ops::Range;
 
 use nalgebra::{Point2, Vector2};
 
+use super::ceiling;
+
 /// The covered interval of each row; the rows' middles are a pitch apart.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Spans {
@@ -45,7 +47,7 @@ impl Spans {
 
     fn between(&self, low: f32, high: f32) -> Range<usize> {
         let row = |y: f32| (y - self.first) / self.pitch;
-        ceil(row(low))..(row(high).max(0.0) as usize + usize::from(high >= self.first)).min(self.rows.len())
+        whole_up(row(low))..(row(high).max(0.0) as usize + usize::from(high >= self.first)).min(self.rows.len())
     }
 
     fn middle(&self, row: usize) -> f32 {
@@ -88,9 +90,7 @@ impl Spans {
     }
 }
 
-/// The ceiling of a number; zero for negative numbers and NaN. A cast is quicker than the rounding call on
-/// processors as old as the target allows.
-pub(super) fn ceil(x: f32) -> usize {
-    let whole = x as usize;
-    whole + usize::from((whole as f32) < x)
+/// The ceiling of a number; zero for negative numbers and NaN.
+pub(super) fn whole_up(x: f32) -> usize {
+    ceiling(x).max(0) as usize
 }

@@ -14,6 +14,7 @@ use crate::order::sorted;
 /// let cube = |x: f32| Aabb::around(&Point3::new(x, 0.0, 0.0), &Point3::new(x + 1.0, 1.0, 1.0));
 /// let overlaps = OverlappingPairs::new(&[cube(0.0), cube(5.0), cube(0.5), cube(1.0)]);
 /// assert_eq!((overlaps.partners(0), overlaps.partners(1), overlaps.partners(2)), (&[2, 3][..], &[][..], &[3][..]));
+/// assert!(overlaps.partners(4).is_empty());
 /// ```
 #[derive(Debug)]
 pub struct OverlappingPairs {
@@ -57,13 +58,13 @@ impl OverlappingPairs {
     }
 
     fn range(&self, one: usize) -> std::ops::Range<usize> {
-        let start = one.checked_sub(1).map_or(0, |before| self.ends[before]);
-        start as usize..self.ends[one] as usize
+        let end = |number: usize| self.ends.get(number).map_or(0, |&end| end as usize);
+        one.checked_sub(1).map_or(0, end)..end(one)
     }
 
-    /// The boxes after one that overlap it, sorted.
+    /// The boxes after one that overlap it, sorted; none for a number beyond the last box.
     pub fn partners(&self, one: usize) -> &[u32] {
-        &self.others[self.range(one)]
+        self.others.get(self.range(one)).unwrap_or_default()
     }
 }
 

@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "tests stop where something is wrong")]
 
+mod boxes;
 mod grids;
 mod hulls;
 mod outlines;

@@ -15,11 +15,12 @@ fn what_is_wrong_is_said() {
     let file = gltf::asset(&cabinet(), &library()).unwrap();
     let said =
         |edit: Change| gltf::read(&edited(&file, edit), &plain()).err().map(|e| e.to_string()).unwrap_or_default();
-    let cases: [(Change, &str); 14] = [
+    let cases: [(Change, &str); 15] = [
         (|d| d["asset"]["version"] = json!("1.0"), "version is not 2"),
         (|d| d["extensionsRequired"] = json!(["KHR_draco_mesh_compression"]), "export without it"),
         (|d| d["buffers"][0]["uri"] = json!("a.bin"), "export as .glb"),
         (|d| d["accessors"][0]["bufferView"] = json!(99), "buffer view 99 does not exist"),
+        (|d| d["bufferViews"][0]["buffer"] = Value::Null, "buffer view 0 names no buffer"),
         (|d| d["accessors"][0]["count"] = json!(9_000_000), "more elements than its buffer holds"),
         (|d| d["accessors"][0]["byteOffset"] = json!(u64::MAX), "beyond its buffer"),
         (|d| d["accessors"][0]["sparse"] = json!({}), "sparse"),
@@ -120,6 +121,40 @@ fn vertices_may_be_sparse_or_quantised() {
     same(&triangles(&accessor(5120, true), &view, &bytes));
     let wide = shape(&triangles(&accessor(5120, false), &view, &bytes)).unwrap();
     assert!((wide.mesh(0.0).area() - 127.0 * 128.0 / 2.0).abs() < 1.0);
+}
+
+/// Reading the sparse part anew for each primitive would take minutes.
+#[test]
+fn many_primitives_may_share_a_sparse_accessor() {
+    const VERTICES: u32 = 30_000;
+    let mut bytes: Vec<u8> = (0..VERTICES).flat_map(u32::to_le_bytes).collect();
+    let indices = bytes.len();
+    bytes.extend((0..VERTICES).flat_map(|i| [(i % 2) as f32, (i / 2 % 2) as f32, 1.0]).flat_map(f32::to_le_bytes));
+    let sparse = json!({
+        "count": VERTICES,
+        "indices": {"bufferView": 0, "componentType": 5125},
+        "values": {"bufferView": 1},
+    });
+    let file = container(
+        json!({
+            "asset": {"version": "2.0"},
+            "nodes": [{"mesh": 0}],
+            "meshes": [{"primitives": vec![json!({"attributes": {"POSITION": 0}, "indices": 1}); 3000]}],
+            "accessors": [
+                {"componentType": 5126, "count": VERTICES, "type": "VEC3", "sparse": sparse},
+                {"bufferView": 0, "componentType": 5125, "count": 3, "type": "SCALAR"},
+            ],
+            "bufferViews": [
+                {"buffer": 0, "byteLength": indices},
+                {"buffer": 0, "byteOffset": indices, "byteLength": bytes.len() - indices},
+            ],
+            "buffers": [{"byteLength": bytes.len()}],
+        }),
+        &bytes,
+    );
+    let read = gltf::read(&file, &plain()).unwrap();
+    let area: f32 = read.asset.parts.iter().map(|part| part.shape.mesh(0.0).area()).sum();
+    assert!((area - 1500.0).abs() < 1.0, "{area}");
 }
 
 /// Triangles whose positions are the first accessor.

@@ -226,7 +226,7 @@ fn a_model_is_plain_where_its_picture_cannot_be_used() {
         (None, |d| d["images"][0]["bufferView"] = json!(99), "buffer view 99 does not exist"),
         (None, |d| d["images"] = json!([]), "image 0 does not exist"),
         (None, |d| d["textures"] = json!([]), "texture 0 does not exist"),
-        (None, |d| d["textures"][0] = json!({"extensions": {}}), "texture 0 has no picture that is read"),
+        (None, |d| d["textures"][0] = json!({"extensions": {}}), "texture 0 has no image that is read"),
     ];
     for (picture, edit, expected) in cases {
         let model = read(picture, edit).unwrap();

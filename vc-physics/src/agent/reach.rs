@@ -10,9 +10,6 @@ use crate::{AgentError, BodyRole, PhysicsError};
 /// Height of the shoulders of a body that bends down, as a share of its height.
 const BENT: f32 = 0.3;
 
-/// The rise of the shoulders of a body on its toes, metres.
-const TIPTOE: f32 = 0.08;
-
 /// Shares of the largest lean that are tried.
 const LEANS: [f32; 4] = [1.0, 0.7, 0.35, 0.0];
 
@@ -86,7 +83,8 @@ fn leant(plan: &BodyPlan, feet: Point3<f32>, to: Point3<f32>, most: f32) -> Poin
     let forward = way.norm().min(most);
     let torso = ADULT.torso * plan.height;
     let sunk = torso - (torso * torso - forward * forward).max(0.0).sqrt();
-    let rise = (to.z - feet.z).clamp(BENT * plan.height, (plan.shoulder() + TIPTOE - sunk).max(BENT * plan.height));
+    let rise =
+        (to.z - feet.z).clamp(BENT * plan.height, (plan.shoulder() + ADULT.tiptoe - sunk).max(BENT * plan.height));
     let ahead = way.try_normalize(1e-6).map_or_else(Vector2::zeros, |w| w * forward);
     feet + Vector3::new(ahead.x, ahead.y, rise)
 }

@@ -153,7 +153,7 @@ impl Apartment {
 
 /// Whether an item has to be reachable: not the building, nor items on the ceiling.
 pub(crate) fn is_used(item: &Item) -> bool {
-    !matches!(item.support, Support::Built | Support::Ceiling) || item.object.role().is_opening()
+    !matches!(item.support, Support::Built | Support::Ceiling) || item.object.role.is_opening()
 }
 
 /// The required pieces that a room of a kind lacks.

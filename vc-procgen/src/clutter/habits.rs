@@ -1,16 +1,18 @@
 //! Habitual places of objects, from the class table.
 
+use std::borrow::Cow;
 use std::collections::HashMap;
 use std::sync::LazyLock;
 
 use vc_graph::asset::Hold;
-use vc_graph::{ClassTable, Property, PropertySet, Relation};
-use vc_shapes::object;
+use vc_graph::{Class, ClassTable, Property, PropertySet, Relation};
+use vc_shapes::{Generators, object};
 
 use crate::plan::RoomKind;
 
 /// For each class of support or container, the classes habitually kept on and inside it, with their
 /// rooms.
+#[derive(Clone, Default)]
 pub(super) struct Habits {
     kept: HashMap<(Relation, String), Vec<Habit>>,
     affordances: HashMap<&'static str, PropertySet>,
@@ -18,6 +20,7 @@ pub(super) struct Habits {
     rooms: Vec<String>,
 }
 
+#[derive(Clone)]
 struct Habit {
     class: &'static str,
     /// The only room it applies to, by index among the rooms.
@@ -27,35 +30,42 @@ struct Habit {
 
 impl Habits {
     /// The habits of the built-in classes that have a generator.
-    pub(super) fn known() -> &'static Self {
-        static KNOWN: LazyLock<Habits> = LazyLock::new(Habits::read);
+    fn known() -> &'static Self {
+        static KNOWN: LazyLock<Habits> = LazyLock::new(|| {
+            let (classes, mut habits) = (ClassTable::builtin(), Habits::default());
+            let rows = object::generators().filter_map(|g| Some((g.class, classes.get(g.class)?)));
+            rows.for_each(|(class, row)| habits.add(class, row));
+            habits
+        });
         &KNOWN
     }
 
-    fn read() -> Self {
-        let classes = ClassTable::builtin();
-        let mut kept: HashMap<(Relation, String), Vec<Habit>> = HashMap::new();
-        let mut rooms: Vec<String> = Vec::new();
-        let mut number = |room: &str| {
-            rooms.iter().position(|r| r == similar(room)).unwrap_or_else(|| {
-                rooms.push(similar(room).to_owned());
-                rooms.len() - 1
-            })
-        };
-        for generator in object::generators() {
-            let Some(class) = classes.get(generator.class).filter(|c| *c.name == *generator.class) else { continue };
-            if !class.affordances.contains(Property::Graspable) {
-                continue;
-            }
-            for place in &class.kept {
-                let Some((relation, at)) = &place.at else { continue };
-                let room = place.room.as_ref().map(|r| number(r));
-                let habit = Habit { class: generator.class, room, weight: place.weight as f32 };
-                kept.entry((*relation, at.to_string())).or_default().push(habit);
-            }
+    /// The habits of the classes that generators make.
+    pub(super) fn with(generators: &Generators) -> Cow<'static, Self> {
+        let mut habits = Cow::Borrowed(Self::known());
+        generators.registered().for_each(|(generator, row)| habits.to_mut().add(generator.class, row));
+        habits
+    }
+
+    fn add(&mut self, class: &'static str, row: &Class) {
+        self.affordances.insert(class, row.affordances);
+        if *row.name != *class || !row.affordances.contains(Property::Graspable) {
+            return;
         }
-        let known = object::generators().filter_map(|g| Some((g.class, classes.get(g.class)?.affordances)));
-        Self { kept, affordances: known.collect(), rooms }
+        for place in &row.kept {
+            let Some((relation, at)) = &place.at else { continue };
+            let room = place.room.as_ref().map(|room| self.number(similar(room)));
+            let habit = Habit { class, room, weight: place.weight as f32 };
+            self.kept.entry((*relation, at.to_string())).or_default().push(habit);
+        }
+    }
+
+    /// The number of a room.
+    fn number(&mut self, room: &str) -> usize {
+        self.rooms.iter().position(|known| known == room).unwrap_or_else(|| {
+            self.rooms.push(room.to_owned());
+            self.rooms.len() - 1
+        })
     }
 
     /// Whether a class is one that objects are put on or in.

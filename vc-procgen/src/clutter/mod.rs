@@ -9,11 +9,13 @@ mod habits;
 mod set;
 mod surface_filler;
 
+use std::borrow::Cow;
 use std::collections::HashMap;
 use std::rc::Rc;
 
 use vc_graph::Seed;
 use vc_graph::asset::Hold;
+use vc_shapes::Generators;
 
 use crate::apartment::Apartment;
 use crate::item::{Item, Support};
@@ -21,10 +23,10 @@ use habits::{Choice, Habits, Place};
 use surface_filler::SurfaceFiller;
 
 /// Fills an apartment; `amount` ranges from 0 (only the objects that furniture needs) to 1.
-pub(crate) fn fill(home: &mut Apartment, amount: f32, seed: Seed) {
+pub(crate) fn fill(home: &mut Apartment, generators: &Generators, amount: f32, seed: Seed) {
     let carriers = home.items.len();
     let standing = standing(&home.items);
-    let mut choices = Choices::default();
+    let mut choices = Choices { habits: Habits::with(generators), known: HashMap::new() };
     for index in 0..carriers {
         if home.items[index].support == Support::Built || home.items[index].object.asset.surfaces.is_empty() {
             continue;
@@ -32,7 +34,7 @@ pub(crate) fn fill(home: &mut Apartment, amount: f32, seed: Seed) {
         let own = seed.child("clutter").nth(index as u64);
         let first = standing.partition_point(|s| s.carrier < index);
         let on_it = standing[first..].iter().take_while(|s| s.carrier == index);
-        let mut filler = SurfaceFiller::new(home, index, own, on_it.map(|s| (s.surface, s.item)));
+        let mut filler = SurfaceFiller::new(home, generators, index, own, on_it.map(|s| (s.surface, s.item)));
         set::dress(&mut filler, amount);
         for surface in 0..filler.surfaces() {
             fill_surface(&mut filler, surface, &mut choices, amount);
@@ -60,14 +62,14 @@ fn standing(items: &[Item]) -> Vec<Standing> {
 }
 
 /// The choices for each kind of place, looked up once per home.
-#[derive(Default)]
 struct Choices {
+    habits: Cow<'static, Habits>,
     known: HashMap<Place, Rc<Choice>>,
 }
 
 impl Choices {
     fn at(&mut self, place: Place) -> Rc<Choice> {
-        self.known.entry(place).or_insert_with_key(|place| Rc::new(Habits::known().choice(place))).clone()
+        self.known.entry(place).or_insert_with_key(|place| Rc::new(self.habits.choice(place))).clone()
     }
 }
 

@@ -5,8 +5,8 @@ use std::sync::Arc;
 use nalgebra::Translation3;
 use vc_graph::asset::{Hold, Surface};
 use vc_graph::portable::Portable;
-use vc_graph::{ClassTable, Pose, Property, Seed, State, Stream};
-use vc_shapes::object::{self, Object};
+use vc_graph::{Pose, Property, Seed, State, Stream};
+use vc_shapes::{Generator, Generators, Object};
 
 use super::habits::studio_corner;
 use crate::apartment::Apartment;
@@ -25,6 +25,7 @@ const TRIES: usize = 12;
 /// Fills the surfaces of one item.
 pub(super) struct SurfaceFiller<'a> {
     home: &'a mut Apartment,
+    generators: &'a Generators,
     carrier: usize,
     pub(super) rng: Stream,
     seed: Seed,
@@ -38,6 +39,7 @@ impl<'a> SurfaceFiller<'a> {
     /// item.
     pub(super) fn new(
         home: &'a mut Apartment,
+        generators: &'a Generators,
         carrier: usize,
         seed: Seed,
         standing: impl Iterator<Item = (usize, usize)>,
@@ -49,7 +51,7 @@ impl<'a> SurfaceFiller<'a> {
             let bounds = item.object.bounds.aabb(&(own * item.pose));
             taken[surface].push(Area { x0: bounds.min.x, y0: bounds.min.y, x1: bounds.max.x, y1: bounds.max.y });
         }
-        Self { home, carrier, rng: seed.stream(), seed, made: 0, taken }
+        Self { home, generators, carrier, rng: seed.stream(), seed, made: 0, taken }
     }
 
     pub(super) fn class(&self) -> &'static str {
@@ -87,11 +89,11 @@ impl<'a> SurfaceFiller<'a> {
     /// Drafts an object of a class, of its usual size or of a given one.
     pub(super) fn make(&mut self, class: &str, size: Option<[f32; 3]>) -> Option<Draft> {
         self.made += 1;
-        let seed = self.seed.child("thing").nth(self.made);
-        match size {
-            Some(size) => Draft::sized(class, size.into(), seed),
-            None => Draft::usual(class, seed),
-        }
+        let (generator, seed) = (self.generators.get(class)?, self.seed.child("thing").nth(self.made));
+        Some(match size {
+            Some(size) => Draft::sized(generator, size.into(), seed),
+            None => Draft::usual(generator, seed),
+        })
     }
 
     /// Puts an object of a class somewhere on a surface.
@@ -99,9 +101,9 @@ impl<'a> SurfaceFiller<'a> {
         let place = self.surface(surface)?;
         let (longest, shortest) = (2.0 * place.half.0.max(place.half.1), 2.0 * place.half.0.min(place.half.1));
         // An object that can never fit need not be drafted.
-        let least = object::least_size(class)?;
-        let (long, short) = (least.x.max(least.y), least.x.min(least.y));
-        if long > longest || short > shortest || place.clearance.is_some_and(|c| least.z * 0.8 > c) {
+        let [depth, width, height] = self.generators.usual_ranges(class)?.map(|range| range.low);
+        let (long, short) = (depth.max(width), depth.min(width));
+        if long > longest || short > shortest || place.clearance.is_some_and(|c| height * 0.8 > c) {
             return None;
         }
         let object = self.make(class, None)?;
@@ -118,7 +120,7 @@ impl<'a> SurfaceFiller<'a> {
     pub(super) fn put_object(&mut self, object: &Draft, surface: usize) -> Option<usize> {
         let (centre, half, hold) = self.surface(surface).map(|s| (s.centre, s.half, s.hold))?;
         let aligned = hold == Hold::Inside;
-        let fronts = aligned && has_front(object.class());
+        let fronts = aligned && self.generators.get(object.class()).is_some_and(has_front);
         for _ in 0..TRIES {
             let drawn = [0, 1, 2, 3][self.rng.below(4)];
             let quarter = if fronts { 0 } else { drawn };
@@ -245,8 +247,6 @@ fn extent(object: &Draft, yaw: f32) -> (f32, f32) {
 
 /// Whether an object opens to its front and is used from there: a disc player in a stand faces out of
 /// it, as its tray opens there.
-fn has_front(class: &str) -> bool {
-    let table = ClassTable::builtin();
-    let affords = |p| table.get(class).is_some_and(|c| c.affordances.contains(p));
-    affords(Property::Openable) && affords(Property::Switchable)
+fn has_front(generator: &Generator) -> bool {
+    generator.affords(Property::Openable) && generator.affords(Property::Switchable)
 }

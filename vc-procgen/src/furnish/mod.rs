@@ -11,6 +11,7 @@ mod fixtures;
 mod kitchen;
 mod living;
 mod other;
+mod own;
 mod place;
 mod space;
 mod walk;
@@ -19,8 +20,7 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use vc_graph::{Seed, Stream};
-use vc_shapes::Style;
-use vc_shapes::object::Object;
+use vc_shapes::{Generators, Object, Style};
 
 use crate::area::Facing;
 use crate::draft::Draft;
@@ -60,7 +60,7 @@ impl Item {
 /// [`SpecificationError::NoPlace`] with the room and the piece that does not fit.
 pub(crate) fn furnish(
     plan: &FloorPlan,
-    style: &Style,
+    made_by: (&Style, &Generators),
     seed: Seed,
 ) -> Result<(Vec<Item>, Vec<Draft>), SpecificationError> {
     let open_kitchen = plan.openings.iter().any(|o| {
@@ -76,7 +76,7 @@ pub(crate) fn furnish(
         let space = Space::new(plan, index);
         let own = seed.child("furnish").nth(index as u64);
         let dealt = (0..DEALS).try_fold(None, |_, deal| {
-            let mut furnisher = Furnisher::new(index, style, own.nth(deal), space.clone(), items.len());
+            let mut furnisher = Furnisher::new(index, made_by, own.nth(deal), space.clone(), items.len());
             match furnish_room(&mut furnisher, plan, open_kitchen) {
                 Ok(()) => ControlFlow::Break((furnisher.items, furnisher.drafts)),
                 Err(error) => ControlFlow::Continue(Some(error)),
@@ -125,6 +125,7 @@ fn furnish_room(s: &mut Furnisher<'_>, plan: &FloorPlan, open_kitchen: bool) -> 
         _ => other::furnish(s),
     }?;
     fixtures::fix(s, plan);
+    own::furnish(s);
     Ok(())
 }
 
@@ -132,6 +133,7 @@ fn furnish_room(s: &mut Furnisher<'_>, plan: &FloorPlan, open_kitchen: bool) -> 
 struct Furnisher<'a> {
     room: usize,
     style: &'a Style,
+    generators: &'a Generators,
     seed: Seed,
     rng: Stream,
     space: Space,
@@ -146,8 +148,15 @@ struct Furnisher<'a> {
 }
 
 impl<'a> Furnisher<'a> {
-    fn new(room: usize, style: &'a Style, seed: Seed, space: Space, base: usize) -> Self {
-        Self { room, style, seed, rng: seed.stream(), space, base, items: Vec::new(), drafts: Vec::new(), made: 0 }
+    fn new(
+        room: usize,
+        (style, generators): (&'a Style, &'a Generators),
+        seed: Seed,
+        space: Space,
+        base: usize,
+    ) -> Self {
+        let (rng, items, drafts) = (seed.stream(), Vec::new(), Vec::new());
+        Self { room, style, generators, seed, rng, space, base, items, drafts, made: 0 }
     }
 }
 
@@ -159,7 +168,7 @@ impl Furnisher<'_> {
     /// Drafts an object of a class, no larger than `size`; `None` if the class has no generator.
     fn make(&mut self, class: &str, size: [f32; 3]) -> Option<Draft> {
         self.made += 1;
-        Draft::sized(class, size.into(), self.seed.child("object").nth(self.made))
+        Some(Draft::sized(self.generators.get(class)?, size.into(), self.seed.child("object").nth(self.made)))
     }
 
     /// An error that names the missing piece.

@@ -6,6 +6,7 @@ use font8x8::legacy::LATIN_LEGACY;
 use font8x8::{BASIC_FONTS, UnicodeFonts};
 use tiny_skia::{FillRule, Paint, Path, PathBuilder, Pixmap, Stroke, StrokeDash, Transform};
 use vc_graph::portable::Portable;
+use vc_graph::srgb;
 
 use super::image::{Image, PictureError};
 
@@ -118,11 +119,9 @@ impl Colour {
     }
 }
 
-/// Converts a linear value to an sRGB byte (IEC 61966-2-1).
+/// Converts a linear value to an sRGB byte.
 pub(super) fn encoded(value: f32) -> u8 {
-    let v = value.clamp(0.0, 1.0);
-    let s = if v <= 0.003_130_8 { v * 12.92 } else { 1.055 * v.power(1.0 / 2.4) - 0.055 };
-    (s * 255.0).round() as u8
+    (srgb::from_linear(value.clamp(0.0, 1.0)) * 255.0).round() as u8
 }
 
 impl Ink {

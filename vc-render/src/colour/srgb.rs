@@ -2,31 +2,20 @@
 
 use std::sync::LazyLock;
 
+use vc_graph::srgb;
+
 use crate::math::three;
 
 /// Steps of the table from linear to sRGB.
 pub(super) const STEPS: usize = 4096;
 
 pub(super) static TABLE: LazyLock<Box<[u8; STEPS]>> = LazyLock::new(|| {
-    use vc_graph::portable::Portable;
-    let encode = |i: usize| {
-        let v = i as f32 / (STEPS - 1) as f32;
-        // sRGB's transfer function (IEC 61966-2-1).
-        let v = if v <= 0.003_130_8 { 12.92 * v } else { 1.055 * v.power(1.0 / 2.4) - 0.055 };
-        (v * 255.0 + 0.5) as u8
-    };
+    let encode = |i: usize| (srgb::from_linear(i as f32 / (STEPS - 1) as f32) * 255.0 + 0.5) as u8;
     Box::new(std::array::from_fn(encode))
 });
 
 /// The table from sRGB back to linear.
-static LINEAR: LazyLock<Vec<f32>> = LazyLock::new(|| {
-    use vc_graph::portable::Portable;
-    let decode = |i: usize| {
-        let v = i as f32 / 255.0;
-        if v <= 0.040_45 { v / 12.92 } else { ((v + 0.055) / 1.055).power(2.4) }
-    };
-    (0..256).map(decode).collect()
-});
+static LINEAR: LazyLock<Vec<f32>> = LazyLock::new(|| (0..256).map(|i| srgb::to_linear(i as f32 / 255.0)).collect());
 
 /// Luminance of a linear colour (Rec. 709).
 #[inline(always)]

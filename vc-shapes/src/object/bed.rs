@@ -1,9 +1,9 @@
 //! Beds: frame and mattress. Duvets and pillows are separate objects.
 
-use super::storage::case::{Look, panel};
 use super::table::frame::baluster;
 use super::{Generator, indoor};
 use crate::material::*;
+use crate::object::joinery::{Front, front_panel};
 use crate::solid::{Axis, Build, CORNERS, Cut, at_least, leg};
 
 pub(super) const GENERATORS: &[Generator] = &[
@@ -94,7 +94,7 @@ fn bed(b: &mut Build<'_>) {
     } else {
         &[Design::Divan, Design::Platform]
     };
-    match b.choose(designs) {
+    match b.one_of(designs) {
         Design::Platform => platform(b, &bed, high),
         Design::Upholstered => upholstered(b, &bed),
         Design::Divan => divan(b, &bed),
@@ -114,9 +114,9 @@ fn platform(b: &mut Build<'_>, bed: &Bed, head: bool) {
     let m = 0.04;
     bed.mattress(b, (x0 + 0.01, x1 - m), bed.y - m);
     if head {
-        let look = Look::any(b);
+        let look = Front::any(b);
         let low = deck - 0.05_f32.min(deck * 0.4);
-        panel(b, "headboard", [-bed.x, -bed.y, low], [x0 + 0.001, bed.y, bed.h], look, bed.wood);
+        front_panel(b, "headboard", [-bed.x, -bed.y, low], [x0 + 0.001, bed.y, bed.h], look, bed.wood);
     }
 }
 
@@ -215,9 +215,9 @@ fn posted(b: &mut Build<'_>, bed: &Bed, design: Design) {
                 }
             }
             _ => {
-                let look = b.choose(&[Look::Framed, Look::Reeded, Look::Louvred]);
+                let look = b.choose(&[Front::Framed, Front::Reeded, Front::Louvred]);
                 b.block("cap", [cx - r * 0.9, -y - 0.001, high - 0.04], [cx + r * 0.9, y + 0.001, high - 0.003], mat);
-                panel(b, "board", [cx - 0.014, -y, low - 0.12], [cx + 0.014, y, high - 0.039], look, mat);
+                front_panel(b, "board", [cx - 0.014, -y, low - 0.12], [cx + 0.014, y, high - 0.039], look, mat);
             }
         }
     }

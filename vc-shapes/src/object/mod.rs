@@ -5,6 +5,7 @@
 
 mod joinery;
 mod mirror;
+mod palette;
 mod registry;
 mod rest;
 // families
@@ -41,11 +42,13 @@ use std::sync::LazyLock;
 
 use nalgebra::Vector3;
 use vc_graph::class::Range;
-use vc_graph::{Asset, Bounds, Class, ClassTable, ObjectRole, Seed};
+use vc_graph::{Asset, Bounds, ObjectRole, Property, Seed};
 
+use crate::facts::ClassFacts;
 use crate::solid::Build;
 use crate::style::Style;
 pub use registry::{Generators, RegisterError};
+pub use rest::settled;
 
 /// The generator of one class of objects.
 #[derive(Debug, Clone, Copy)]
@@ -56,8 +59,8 @@ pub struct Generator {
     pub realm: Realm,
     /// The number of instances in the [catalogue](crate::catalogue).
     pub instances: usize,
-    /// The usual depth, width and height of a class of the program's own; others have theirs in the built-in table.
-    size: Option<[Range; 3]>,
+    /// The facts of a class of the program's own; those of others are in the built-in table.
+    own: Option<ClassFacts>,
     make: fn(&mut Build<'_>),
 }
 
@@ -142,6 +145,8 @@ pub fn generator(class: &str) -> Option<&'static Generator> {
 pub struct Object {
     /// The class.
     pub class: &'static str,
+    /// The role that it has in a scene, by its class.
+    pub role: ObjectRole,
     /// Parts and surfaces.
     pub asset: Asset,
     /// The bounding box of all parts, relative to the object's pose.
@@ -149,28 +154,67 @@ pub struct Object {
 }
 
 impl Object {
+    /// An object of a class of the built-in table; furniture if its class is not in that table.
+    pub fn new(class: &'static str, asset: Asset, bounds: Bounds) -> Self {
+        Self { class, role: ClassFacts::builtin(class).role, asset, bounds }
+    }
+
     /// The depth, width and height, metres.
     pub fn size(&self) -> Vector3<f32> {
         self.bounds.size()
     }
-
-    /// The role that it has in a scene, by the built-in class table; furniture if its class is not in that table.
-    pub fn role(&self) -> ObjectRole {
-        ClassTable::builtin().get(self.class).map_or(ObjectRole::Furniture, Class::role)
-    }
 }
 
 impl Generator {
-    /// A generator from a function that builds the parts; `instances` is the number in the catalogue, which has only
-    /// the built-in classes.
+    /// A generator from a function that builds the parts; `instances` is the number in the
+    /// [catalogue](Generators::instances).
     pub const fn new(class: &'static str, realm: Realm, instances: usize, make: fn(&mut Build<'_>)) -> Self {
-        Self { class, realm, instances, size: None, make }
+        Self { class, realm, instances, own: None, make }
+    }
+
+    fn facts(&self) -> ClassFacts {
+        self.own.unwrap_or_else(|| ClassFacts::builtin(self.class))
+    }
+
+    /// The role that objects of its class have in a scene.
+    pub fn role(&self) -> ObjectRole {
+        self.facts().role
+    }
+
+    /// Whether objects of its class permit actions of a kind.
+    ///
+    /// ```
+    /// use vc_graph::Property;
+    /// use vc_shapes::object::generator;
+    /// assert!(generator("mug").is_some_and(|mug| mug.affords(Property::Graspable)));
+    /// ```
+    pub fn affords(&self, property: Property) -> bool {
+        self.facts().affordances.contains(property)
+    }
+
+    /// The usual ranges of depth, width and height, metres; `None` if the class table has none.
+    pub fn usual_ranges(&self) -> Option<[Range; 3]> {
+        self.facts().size
+    }
+
+    /// Draws a size from the usual ranges: depth, width, height, metres.
+    ///
+    /// ```
+    /// use vc_graph::Seed;
+    /// use vc_shapes::object::generator;
+    /// let mug = generator("mug").ok_or("no generator")?.usual_size(Seed(1));
+    /// assert!((0.05..0.2).contains(&mug.z));
+    /// # Ok::<(), &str>(())
+    /// ```
+    pub fn usual_size(&self, seed: Seed) -> Vector3<f32> {
+        let mut rng = seed.child("size").stream();
+        let drawn = |ranges: [Range; 3]| ranges.map(|r| rng.between(r.low, r.high)).into();
+        self.usual_ranges().map_or_else(|| Vector3::repeat(0.3), drawn)
     }
 
     /// Generates an instance of the class's usual size.
     pub fn object(&self, style: &Style, seed: Seed) -> Object {
-        let ranges = self.size.or_else(|| usual_ranges(self.class));
-        self.sized(drawn_size(ranges, seed), style, seed)
+        self.sized(self.usual_size(seed), style, seed)
     }
 
     /// Generates an instance no larger than `size` (depth, width, height in metres).
@@ -184,40 +228,10 @@ impl Generator {
     /// # Ok::<(), &str>(())
     /// ```
     pub fn sized(&self, size: Vector3<f32>, style: &Style, seed: Seed) -> Object {
-        let mut build = Build::new(self.class, size, style, seed.child("object").stream());
+        let facts = self.facts();
+        let mut build = Build::with_facts(self.class, facts, size, style, seed.child("object").stream());
         (self.make)(&mut build);
         let (asset, bounds) = build.finish();
-        Object { class: self.class, asset, bounds }
+        Object { class: self.class, role: facts.role, asset, bounds }
     }
-}
-
-/// The usual ranges of a class's depth, width and height, metres.
-pub fn usual_ranges(class: &str) -> Option<[Range; 3]> {
-    static RANGES: LazyLock<HashMap<&'static str, [Range; 3]>> = LazyLock::new(|| {
-        let classes = ClassTable::builtin();
-        generators().filter_map(|g| Some((g.class, classes.get(g.class)?.size?))).collect()
-    });
-    RANGES.get(class).copied()
-}
-
-/// The lower bounds of the usual depth, width and height of a class, metres.
-pub fn least_size(class: &str) -> Option<Vector3<f32>> {
-    usual_ranges(class).map(|r| r.map(|r| r.low).into())
-}
-
-/// Draws a size from the class's usual range: depth, width, height, metres.
-///
-/// ```
-/// use vc_graph::Seed;
-/// use vc_shapes::object::usual_size;
-/// let mug = usual_size("mug", Seed(1));
-/// assert!((0.05..0.2).contains(&mug.z));
-/// ```
-pub fn usual_size(class: &str, seed: Seed) -> Vector3<f32> {
-    drawn_size(usual_ranges(class), seed)
-}
-
-fn drawn_size(ranges: Option<[Range; 3]>, seed: Seed) -> Vector3<f32> {
-    let mut rng = seed.child("size").stream();
-    ranges.map_or_else(|| Vector3::repeat(0.3), |r| r.map(|r| rng.between(r.low, r.high)).into())
 }

@@ -1,9 +1,10 @@
 //! The generators that a program uses: the built-in ones and its own.
 
-use vc_graph::ClassTable;
 use vc_graph::class::Range;
+use vc_graph::{Class, ClassTable};
 
-use super::{Generator, generator, generators, usual_ranges};
+use super::{Generator, generator, generators};
+use crate::facts::ClassFacts;
 
 /// A generator that is not registered.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
@@ -47,11 +48,22 @@ pub enum RegisterError {
 /// ```
 #[derive(Debug, Clone, Default)]
 pub struct Generators {
-    own: Vec<Generator>,
+    own: Vec<Registered>,
+}
+
+/// A generator of the program's own, and the row of its class.
+#[derive(Debug, Clone)]
+struct Registered {
+    generator: Generator,
+    row: Class,
 }
 
 impl Generators {
-    /// Adds a generator for a class of a table; the row of the class has the usual size.
+    /// The built-in generators.
+    pub const BUILTIN: Self = Self { own: Vec::new() };
+
+    /// Adds a generator for a class of a table; the row of the class has the usual size, the role and the places where
+    /// its things are kept.
     ///
     /// # Errors
     /// [`RegisterError`] if the class has a generator, is not in the table, or has no size there.
@@ -61,23 +73,32 @@ impl Generators {
         if self.get(class).is_some() {
             return Err(RegisterError::Duplicate(class));
         }
-        let size = Some(row.size.ok_or(RegisterError::NoSize(class))?);
-        self.own.push(Generator { size, ..generator });
+        row.size.ok_or(RegisterError::NoSize(class))?;
+        let own = Some(ClassFacts::new(row));
+        self.own.push(Registered { generator: Generator { own, ..generator }, row: row.clone() });
         Ok(())
     }
 
     /// Finds the generator of a class.
     pub fn get(&self, class: &str) -> Option<&Generator> {
-        self.own.iter().find(|g| g.class == class).or_else(|| generator(class))
+        let own = self.own.iter().map(|own| &own.generator).find(|g| g.class == class);
+        own.or_else(|| generator(class))
     }
 
     /// All generators: the built-in ones by family, then the registered ones in their order.
     pub fn iter<'a>(&'a self) -> impl Iterator<Item = &'a Generator> {
-        generators().map(|builtin| -> &'a Generator { builtin }).chain(&self.own)
+        generators()
+            .map(|builtin| -> &'a Generator { builtin })
+            .chain(self.registered().map(|(generator, _)| generator))
+    }
+
+    /// The registered generators in their order, with the rows of their classes.
+    pub fn registered(&self) -> impl Iterator<Item = (&Generator, &Class)> {
+        self.own.iter().map(|own| (&own.generator, &own.row))
     }
 
     /// The usual ranges of a class's depth, width and height, metres; `None` if the class has no generator.
     pub fn usual_ranges(&self, class: &str) -> Option<[Range; 3]> {
-        self.own.iter().find(|g| g.class == class).map_or_else(|| usual_ranges(class), |g| g.size)
+        self.get(class)?.usual_ranges()
     }
 }

@@ -17,9 +17,27 @@ const STEPS: usize = 120;
 /// The number of directions in which it may fall.
 const WAYS: usize = 64;
 
-/// Generates an object and lets it settle; if it then exceeds its size, it is generated smaller. The generator must not
-/// make collision geometry of its own: it would neither be turned nor made anew.
-pub(super) fn settled(b: &mut Build<'_>, make: fn(&mut Build<'_>)) {
+/// Generates an object and lets it settle; if it then exceeds its size, it is generated smaller.
+///
+/// ```
+/// use vc_graph::{ClassTable, Seed};
+/// use vc_shapes::object::settled;
+/// use vc_shapes::{Build, Generator, Generators, Realm, Style, material::OAK};
+///
+/// fn leaning(b: &mut Build<'_>) {
+///     let (from, to) = ([0.0; 3], [b.size.x / 2.0, 0.0, b.size.z]);
+///     b.rod("staff", from, to, 0.01, OAK);
+/// }
+///
+/// let row = "staff | sports_gear | | sport | graspable | 0.9 0.1 0.9 | 1 | | | garage:1";
+/// let classes = ClassTable::builtin().extended("mine.txt", row)?;
+/// let mut generators = Generators::default();
+/// generators.register(&classes, Generator::new("staff", Realm::Indoor, 1, |b| settled(b, leaning)))?;
+/// let staff = generators.get("staff").ok_or("not registered")?.object(&Style::from_seed(Seed(1)), Seed(1));
+/// assert!(staff.size().z < 0.1);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn settled(b: &mut Build<'_>, make: fn(&mut Build<'_>)) {
     const TRIES: usize = 6;
     let (room, rng) = (b.size, b.rng.clone());
     for attempt in 1..TRIES {
@@ -29,8 +47,7 @@ pub(super) fn settled(b: &mut Build<'_>, make: fn(&mut Build<'_>)) {
         if over.add_scalar(-1.0).component_mul(&room).max() < 5e-4 {
             return;
         }
-        b.asset().parts.clear();
-        b.asset().surfaces.clear();
+        b.clear();
         // An object that falls differently each time is finally made smaller as a whole.
         let over = if attempt < TRIES / 2 { over } else { Vector3::repeat(over.max()) };
         (b.size, b.rng) = (b.size.component_div(&over), rng.clone());
@@ -58,7 +75,7 @@ fn settle(asset: &mut Asset) {
     if turned == Pose::identity() {
         return;
     }
-    for part in &mut asset.parts {
+    for part in asset.parts.iter_mut().chain(&mut asset.collision) {
         part.pose = turned * part.pose;
         turn_joint(&mut part.joint, &turned);
     }

@@ -7,6 +7,7 @@ use nalgebra::{Isometry3, Matrix3, Point3, Rotation3, Translation3, UnitQuaterni
 use vc_graph::asset::{Hold, Joint, JointKind, Part, Shape, Surface};
 use vc_graph::{Asset, Bounds, BoundsFrame, Pose, Stream};
 
+use crate::facts::ClassFacts;
 use crate::material::MaterialId;
 use crate::style::Style;
 
@@ -68,11 +69,23 @@ pub struct Build<'a> {
     anchored: bool,
     /// The parts that are visible but have no collision shape.
     without_collision: Vec<usize>,
+    facts: ClassFacts,
 }
 
 impl<'a> Build<'a> {
-    /// Begins the asset of a class.
+    /// Begins the asset of a class; the built-in class table decides how it collides.
     pub fn new(class: &'a str, size: Vector3<f32>, style: &'a Style, rng: Stream) -> Self {
+        Self::with_facts(class, ClassFacts::builtin(class), size, style, rng)
+    }
+
+    /// Begins the asset of a class of which some facts are known.
+    pub(crate) fn with_facts(
+        class: &'a str,
+        facts: ClassFacts,
+        size: Vector3<f32>,
+        style: &'a Style,
+        rng: Stream,
+    ) -> Self {
         // Most assets have up to this many parts; growing in steps would copy them.
         let asset = Asset { name: class.into(), parts: Vec::with_capacity(PARTS), ..Asset::default() };
         Self {
@@ -85,6 +98,7 @@ impl<'a> Build<'a> {
             frame: Pose::identity(),
             anchored: false,
             without_collision: Vec::new(),
+            facts,
         }
     }
 
@@ -115,7 +129,7 @@ impl<'a> Build<'a> {
             let solid = asset.parts.iter().enumerate().filter(|(i, _)| !self.without_collision.contains(i));
             asset.collision.extend(solid.map(|(_, part)| part.clone()));
         }
-        super::collision::simplify(self.class, &mut asset, high - low);
+        super::collision::simplify(&self.facts, &mut asset, high - low);
         let half = (high - low) / 2.0;
         if self.anchored {
             let offset = nalgebra::center(&low, &high).coords;
@@ -137,6 +151,14 @@ impl<'a> Build<'a> {
     /// The asset built so far.
     pub(crate) fn asset(&mut self) -> &mut Asset {
         &mut self.asset
+    }
+
+    /// Takes away all that was built.
+    pub(crate) fn clear(&mut self) {
+        self.asset.parts.clear();
+        self.asset.collision.clear();
+        self.asset.surfaces.clear();
+        self.without_collision.clear();
     }
 
     /// Names the asset, for example by a book's title or a poster's motif.
@@ -526,10 +548,15 @@ impl<'a> Build<'a> {
     /// assert!([OAK, BEECH].contains(&wood));
     /// ```
     ///
-    /// # Panics
-    /// If there is none.
-    pub fn choose<T: Copy>(&mut self, of: &[T]) -> T {
-        of[self.rng.below(of.len())]
+    /// Nothing can be chosen from an empty array: that does not compile.
+    pub fn choose<T: Copy, const N: usize>(&mut self, of: &[T; N]) -> T {
+        const { assert!(N > 0, "nothing to choose from") };
+        of[self.rng.below(N)]
+    }
+
+    /// One of a list of this crate, which has at least one entry.
+    pub(crate) fn one_of<T: Copy>(&mut self, list: &[T]) -> T {
+        list[self.rng.below(list.len())]
     }
 }
 

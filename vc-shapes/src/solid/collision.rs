@@ -3,10 +3,10 @@
 
 use nalgebra::{Point3, Vector3};
 use vc_graph::asset::{Joint, Part, Shape};
-use vc_graph::class::Trait;
-use vc_graph::{Asset, ClassTable, Pose, Property};
+use vc_graph::{Asset, Pose};
 
 use super::flush::extent;
+use crate::facts::ClassFacts;
 
 /// The number of costly parts from which a hull pays off.
 const PARTS: usize = 2;
@@ -30,8 +30,8 @@ const ROUND: f32 = 0.08;
 
 /// Gives an asset of such a class one collision shape for all parts that move together, where that is simpler
 /// than the parts.
-pub(super) fn simplify(class: &str, asset: &mut Asset, size: Vector3<f32>) {
-    let flat = is_flat(class);
+pub(super) fn simplify(class: &ClassFacts, asset: &mut Asset, size: Vector3<f32>) {
+    let flat = class.is_flat();
     let small = size.max() <= SMALL && asset.surfaces.is_empty();
     if !asset.collision.is_empty() {
         return;
@@ -40,7 +40,7 @@ pub(super) fn simplify(class: &str, asset: &mut Asset, size: Vector3<f32>) {
         asset.collision = vec![ball];
         return;
     }
-    if !(flat || small && is_only_carried(class)) {
+    if !(flat || small && class.is_only_carried()) {
         return;
     }
     let mut joints: Vec<Option<Joint>> = Vec::new();
@@ -77,22 +77,6 @@ fn ball(parts: &[Part]) -> Option<Part> {
     let radius = half.min();
     let pose = Pose::translation(middle.x, middle.y, low.z + radius);
     Some(Part { name: "lump".into(), shape: Shape::Sphere { radius }, pose, ..core.clone() })
-}
-
-/// Whether objects of a class are flat on a wall, a window or the ceiling, or let into it: their collision shape is
-/// their box.
-fn is_flat(class: &str) -> bool {
-    ClassTable::builtin().get(class).is_some_and(|c| c.traits.contains(Trait::Flat))
-}
-
-/// Whether objects of a class are graspable and hold no others.
-fn is_only_carried(class: &str) -> bool {
-    use Property::{Container, Graspable, Lieable, Recipient, Sittable, Surface};
-    let table = ClassTable::builtin();
-    let has = |properties: &[Property]| {
-        table.get(class).is_some_and(|c| properties.iter().any(|p| c.affordances.contains(*p)))
-    };
-    has(&[Graspable]) && !has(&[Container, Recipient, Surface, Sittable, Lieable])
 }
 
 /// A shape and its pose in the asset's frame.

@@ -39,9 +39,6 @@
 //! assert!((bounds.size().z - 0.25).abs() < 1e-4);
 //! ```
 
-// `object/play/kit.rs` has some of these solids once more, with positions as fractions of the size: toys and sports gear
-// are built by it.
-
 // Three lofts differ in the order of their triangles, and four rounded rectangles in the number of their points: both
 // are part of what a seed generates.
 mod body;
@@ -55,6 +52,7 @@ mod hollow;
 mod mesh;
 mod outline;
 mod profile;
+mod proportional;
 mod sheet;
 mod sketch;
 mod skin;
@@ -70,12 +68,14 @@ pub(crate) use frame::{dims, half_dims, lengthwise, longwise, pitched, rolled, s
 pub use hollow::{basket, case, collar, plate_with_hole, ring_wall, tapered_tub, tiers, tub, vessel};
 pub(crate) use hollow::{floor_of, loft_levels, pit, plate_with_border, round_floor, walled_tray};
 pub use mesh::{MeshBuilder, blocks, cushion, hoop, loft, sheet, tube};
-pub(crate) use outline::{CORNERS, arc_outline, oval_outline, polar, rounded_between, rounded_by_share};
+pub(crate) use outline::{
+    CORNERS, arc_outline, evenly_spaced_ellipse, oval_outline, polar, rounded_between, rounded_by_share,
+};
 pub use outline::{band, ellipse, ngon, oblong, polygon, rounded_by_radius, star};
 pub use profile::{cup_profile, torus_profile, vessel_profile};
+pub(crate) use proportional::{Proportional, Ring, SIDES};
 pub(crate) use sheet::hull_shell;
 pub use sheet::{Cut, SheetRow, curved_sheet, disc, leg, plate, ribbon};
 pub use sketch::{Sketch, blob, limb};
 pub(crate) use skin::ring_skin;
 pub use skin::{coil, seam, zone};
-pub(crate) use skin::{heading, skinned};

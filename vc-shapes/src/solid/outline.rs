@@ -63,6 +63,23 @@ pub fn ellipse(half: (f32, f32)) -> Vec<(f32, f32)> {
     points
 }
 
+/// Points around an ellipse, spaced as evenly as a whole number of steps of about `step` allows, 24 at most.
+pub(crate) fn evenly_spaced_ellipse(half: (f32, f32), step: f32) -> Vec<(f32, f32)> {
+    const FINE: usize = 96;
+    let at = |i: usize| {
+        let (x, y) = polar(TAU * i as f32 / FINE as f32, 1.0);
+        (x * half.0, y * half.1)
+    };
+    let mut walked = vec![0.0_f32];
+    for i in 0..FINE {
+        let ((x0, y0), (x1, y1)) = (at(i), at(i + 1));
+        walked.push(walked[i] + (x1 - x0).hypotenuse(y1 - y0));
+    }
+    let count = (walked[FINE] / step).ceil().clamp(3.0, 24.0) as usize;
+    let place = |k: usize| walked.partition_point(|w| *w < walked[FINE] * k as f32 / count as f32);
+    (0..count).map(|k| at(place(k))).collect()
+}
+
 /// An ellipse with `count` corners around a centre.
 pub(crate) fn oval_outline(centre: (f32, f32), half: (f32, f32), count: usize) -> Vec<(f32, f32)> {
     arc_outline(centre, half, (0.0, TAU * (1.0 - 1.0 / count as f32)), count)

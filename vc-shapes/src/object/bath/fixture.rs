@@ -3,7 +3,7 @@
 use vc_graph::asset::JointKind;
 
 use crate::material::*;
-use crate::object::cooker::fitting::*;
+use crate::object::joinery::{Fitted, Handle, Swing, cupboard_doors, lid, swing};
 use crate::solid::{
     Axis, Build, CORNERS, P, case, fit, floor_of, half_dims, loft_levels, oblong, pit, plate_with_hole,
 };
@@ -251,10 +251,10 @@ pub(super) fn washbasin(b: &mut Build<'_>) {
             let (low, high) = ([-x, -y * 0.9, 0.08 * u], [x * 0.86, y * 0.9, under]);
             b.block("plinth", [-x, -y * 0.86, 0.0], [x * 0.7, y * 0.86, low[2]], b.style.cabinet);
             case(b, low, high, t, b.style.cabinet);
-            let look = Look::any(b, b.style.cabinet, t);
+            let look = Fitted::any(b, b.style.cabinet, t);
             let inner = ([low[0] + t, low[1] + t, low[2] + t], [high[0] - 0.002 * u, high[1] - t, high[2] - t]);
             floor_of(b, "cupboard", inner.0, inner.1);
-            let look = Look { handle: crate::object::joinery::Handle::None, ..look };
+            let look = Fitted { handle: Handle::None, ..look };
             cupboard_doors(b, &look, ([high[0], low[1], low[2]], [high[0] + t, high[1], high[2]]), 0.5, false);
         }
     }

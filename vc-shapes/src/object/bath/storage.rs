@@ -2,19 +2,20 @@
 
 use crate::material::*;
 use crate::object::cooker::fitting::*;
+use crate::object::joinery::{Fitted, Swing, cupboard_doors, drawers, gapped, pull_out, swing};
 use crate::solid::{
     Axis, Build, P, case, fit, floor_of, half_dims, oblong, pit, plate_with_border, plate_with_hole, tiers,
 };
 
 /// The design of bathroom fronts.
-fn bath_look(b: &mut Build<'_>, u: f32) -> Look {
+fn bath_look(b: &mut Build<'_>, u: f32) -> Fitted {
     let mat = b.choose(&[b.style.cabinet, b.style.front, b.style.wood, WHITE]);
     let t = b.vary(0.016, 0.02) * u;
-    Look::any(b, mat, t)
+    Fitted::any(b, mat, t)
 }
 
 /// The X of the front plane, which leaves space for handles.
-fn face(b: &Build<'_>, look: &Look) -> f32 {
+fn face(b: &Build<'_>, look: &Fitted) -> f32 {
     b.size.x / 2.0 - look.grip()
 }
 
@@ -57,7 +58,7 @@ pub(super) fn bathroom_vanity(b: &mut Build<'_>) {
 }
 
 /// Legs, a plinth or side panels under a cabinet; returns the height of the cabinet's bottom.
-fn stand(b: &mut Build<'_>, look: &Look, (front, y): (f32, f32), h: f32, u: f32) -> f32 {
+fn stand(b: &mut Build<'_>, look: &Fitted, (front, y): (f32, f32), h: f32, u: f32) -> f32 {
     let x = b.size.x / 2.0;
     match b.rng.below(3) {
         0 => {
@@ -98,7 +99,7 @@ fn stand(b: &mut Build<'_>, look: &Look, (front, y): (f32, f32), h: f32, u: f32)
 }
 
 /// A case with shelves behind doors.
-fn cupboard(b: &mut Build<'_>, look: &Look, (low, high): (P, P), spaces: usize, name: &str) {
+fn cupboard(b: &mut Build<'_>, look: &Fitted, (low, high): (P, P), spaces: usize, name: &str) {
     let (t, mat) = (look.t, look.mat);
     case(b, low, high, t, mat);
     let hollow = ([low[0] + t, low[1] + t, low[2] + t], [high[0] - 0.004, high[1] - t, high[2] - t]);

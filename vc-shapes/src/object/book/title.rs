@@ -120,6 +120,6 @@ pub(super) fn entitle(b: &mut Build<'_>) {
         "diary" | "photo_album" | "notebook" => (&["Notes", "Memories", "Journal", "Days"], &["I", "II", "III", "IV"]),
         _ => (&FIRST, &SECOND),
     };
-    let title = [b.choose(first), b.choose(second)].join(" ");
+    let title = [b.one_of(first), b.one_of(second)].join(" ");
     b.name(&title);
 }

@@ -6,6 +6,7 @@ use vc_graph::portable::Portable;
 use super::fitting::*;
 use super::heat::{foot_row, glass_door};
 use crate::material::*;
+use crate::object::joinery::{Fitted, Handle, Panel, Swing, drawers, gapped, lid, swing};
 use crate::solid::{Build, CORNERS, P, basket, case, fit, floor_of, half_dims, pit, tiers};
 
 /// The compartment behind a door.
@@ -255,13 +256,7 @@ pub(super) fn refrigerated_counter(b: &mut Build<'_>) {
         let (y0, y1) = (-y + step * i as f32, -y + step * (i + 1) as f32);
         let bay = ([-x, y0, feet], [back, y1, top - slab]);
         if i < pulls && i > 0 {
-            let look = Look {
-                panel: Panel::Slab,
-                handle: crate::object::joinery::Handle::Bar,
-                mat: STEEL,
-                metal: STEEL,
-                t: door,
-            };
+            let look = Fitted { panel: Panel::Slab, handle: Handle::Bar, mat: STEEL, metal: STEEL, t: door };
             case(b, bay.0, bay.1, 0.02 * u, STEEL);
             drawers(
                 b,

@@ -2,6 +2,7 @@
 
 use super::fitting::*;
 use crate::material::*;
+use crate::object::joinery::{Fitted, Handle, Panel, Swing, gapped, pull_out, swing};
 use crate::solid::{Axis, Build, CORNERS, P, case, collar, fit, floor_of, half_dims, plate_with_hole, tiers};
 
 /// How a stove heats its cooktop.
@@ -52,8 +53,7 @@ pub(super) fn stove(b: &mut Build<'_>) {
         knobs(b, [face, 0.0, z], span, count, radius.min(y * 0.12), knob_mats);
     }
     // A drawer for trays at the bottom.
-    let look =
-        Look { panel: Panel::Slab, handle: crate::object::joinery::Handle::None, mat: trim, metal: STEEL, t: 0.03 * u };
+    let look = Fitted { panel: Panel::Slab, handle: Handle::None, mat: trim, metal: STEEL, t: 0.03 * u };
     case(b, [-x, -y, 0.05 * u], [back, y, sill], 0.015 * u, body);
     pull_out(b, &look, "drawer", ([-x + 0.02 * u, -y, 0.05 * u], [face, y, sill]));
 }

@@ -3,6 +3,7 @@
 use super::fitting::*;
 use super::heat::foot_row;
 use crate::material::*;
+use crate::object::joinery::{Fitted, Handle, Panel, drawers, lid};
 use crate::solid::{
     Axis, Build, CORNERS, P, basket, case, collar, fit, half_dims, loft_levels, pit, plate_with_hole, round_floor,
 };
@@ -491,7 +492,7 @@ pub(super) fn plate_warmer(b: &mut Build<'_>) {
     }
     let low = [-x, -y, feet];
     case(b, low, [face - t, y, h], 0.01 * u, STEEL);
-    let look = Look { panel: Panel::Slab, handle: crate::object::joinery::Handle::Bar, mat: body, metal: STEEL, t };
+    let look = Fitted { panel: Panel::Slab, handle: Handle::Bar, mat: body, metal: STEEL, t };
     let count = (h / 0.24).round().clamp(1.0, 4.0) as usize;
     let strip = (h * 0.2).min(0.06 * u);
     drawers(b, &look, "drawer", ([-x + 0.02 * u, -y, feet + 0.006 * u], [face, y, h - strip]), (count, 1.0));

@@ -3,6 +3,7 @@
 use super::fitting::*;
 use super::heat::foot_row;
 use crate::material::*;
+use crate::object::joinery::lid;
 use crate::solid::{Axis, Build, P, cup_profile, fit, floor_of, half_dims, pit, plate_with_hole, round_floor};
 
 /// The enamel colour of kitchen machines.

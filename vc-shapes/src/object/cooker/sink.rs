@@ -3,6 +3,7 @@
 use super::fitting::*;
 use super::unit::{plinth, unit_look};
 use crate::material::*;
+use crate::object::joinery::{gapped, handle, panel};
 use crate::solid::{Axis, Build, P, fit, floor_of, half_dims, pit, plate_with_hole};
 
 /// A sink unit: fixed fronts below, a worktop around one or two bowls, a ledge behind for the tap.
@@ -31,7 +32,7 @@ pub(super) fn kitchen_sink(b: &mut Build<'_>) {
         let (l, t) = gapped([high[0], y0, kick], [front, y1, under], 0.0015 * u);
         panel(b, look.panel, "front", (l, t), look.mat);
         let edge = if i == 0 { y1 - step * 0.1 } else { y0 + step * 0.1 };
-        crate::object::joinery::handle(b, look.handle, [front, edge, under - 0.14 * u], 0.14 * u, true, look.metal);
+        handle(b, look.handle, [front, edge, under - 0.14 * u], 0.14 * u, true, look.metal);
     }
     let steel = b.choose(&[STEEL, STEEL, PORCELAIN, BLACK_GRANITE]);
     let depth = b.vary(0.15, 0.19).min(h * 0.25);

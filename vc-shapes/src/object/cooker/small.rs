@@ -5,6 +5,7 @@ use vc_graph::asset::JointKind;
 use super::fitting::*;
 use super::heat::foot_row;
 use crate::material::*;
+use crate::object::joinery::lid;
 use crate::solid::{Axis, Build, cup_profile, fit, floor_of, half_dims, pit, plate_with_hole, round_floor};
 
 /// A body with a spout and a handle on a base with a switch, its lid hinged.

@@ -2,6 +2,9 @@
 
 use super::fitting::*;
 use crate::material::*;
+use crate::object::joinery::{
+    Fitted, Panel, Swing, cupboard_door, cupboard_doors, drawers, gapped, panel, pull_out, swing,
+};
 use crate::solid::{Axis, Build, P, case, fit, half_dims, plate_with_hole, tiers};
 
 /// The height of the toe-kick.
@@ -145,10 +148,10 @@ fn rim_y(b: &mut Build<'_>, low: P, high: P, w: f32, mat: MaterialId) {
 }
 
 /// The design of units in this kitchen.
-pub(super) fn unit_look(b: &mut Build<'_>, u: f32) -> Look {
+pub(super) fn unit_look(b: &mut Build<'_>, u: f32) -> Fitted {
     let mat = b.style.front;
     let t = b.vary(0.018, 0.021) * u;
-    Look::any(b, mat, t)
+    Fitted::any(b, mat, t)
 }
 
 /// The toe-kick: a board recessed under a unit whose bottom is at `low[2]`.
@@ -162,12 +165,12 @@ pub(in crate::object) fn inner(low: P, high: P, t: f32) -> (P, P) {
     ([low[0] + t, low[1] + t, low[2] + t], [high[0] - 0.002, high[1] - t, high[2] - t])
 }
 
-fn fill(b: &mut Build<'_>, look: &Look, low: P, high: P, u: f32) {
+fn fill(b: &mut Build<'_>, look: &Fitted, low: P, high: P, u: f32) {
     fill_named(b, look, low, high, (u, ""));
 }
 
 /// A case with one of three fillings: doors in front of shelves, drawers, or a drawer above doors.
-fn fill_named(b: &mut Build<'_>, look: &Look, low: P, high: P, (u, name): (f32, &str)) {
+fn fill_named(b: &mut Build<'_>, look: &Fitted, low: P, high: P, (u, name): (f32, &str)) {
     let (t, tall) = (look.t, high[2] - low[2]);
     case(b, low, high, t, look.mat);
     let front = ([high[0], low[1], low[2]], [high[0] + t, high[1], high[2]]);
@@ -197,7 +200,7 @@ fn fill_named(b: &mut Build<'_>, look: &Look, low: P, high: P, (u, name): (f32, 
 }
 
 /// A front that opens upwards.
-fn flap(b: &mut Build<'_>, look: &Look, (low, high): (P, P)) {
+fn flap(b: &mut Build<'_>, look: &Fitted, (low, high): (P, P)) {
     let (low, high) = gapped(low, high, look.t * 0.08);
     swing(b, Swing::Up, low, high, 1.5, |b| {
         panel(b, look.panel, "flap", (low, high), look.mat);
@@ -207,7 +210,7 @@ fn flap(b: &mut Build<'_>, look: &Look, (low, high): (P, P)) {
 }
 
 /// Half the front closed by a door, the rest open shelves.
-fn front_rail(b: &mut Build<'_>, look: &Look, (low, high): (P, P)) {
+fn front_rail(b: &mut Build<'_>, look: &Fitted, (low, high): (P, P)) {
     let split = low[1] + (high[1] - low[1]) * b.vary(0.4, 0.55);
     cupboard_door(b, look, "door", (low, [high[0], split, high[2]]), Swing::Right, true);
 }

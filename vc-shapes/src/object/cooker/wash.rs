@@ -8,7 +8,7 @@ use super::cool::{grille, steel_legs};
 use super::fitting::*;
 use super::heat::foot_row;
 use crate::material::*;
-use crate::object::joinery::Handle;
+use crate::object::joinery::{Fitted, Handle, Panel, Swing, gapped, panel, pull_out, swing};
 use crate::solid::{Axis, Build, P, basket, case, collar, fit, floor_of, half_dims, pit, plate_with_hole};
 
 /// A drop-down door in front of two baskets that slide out.
@@ -32,7 +32,7 @@ pub(super) fn dishwasher(b: &mut Build<'_>) {
     }
     b.cylinder("spray_arm", [(low[0] + high[0]) / 2.0, 0.0, low[2]], 0.03 * u, 0.012 * u, GREY_PLASTIC);
     let (dl, dh) = gapped([back, -y, feet], [face, y, h], 0.002 * u);
-    let look = Look::any(b, body, door);
+    let look = Fitted::any(b, body, door);
     let plain = b.rng.chance(0.5);
     // The open door is level, so that the baskets slide out above it.
     swing(b, Swing::Down, dl, dh, FRAC_PI_2, |b| {
@@ -228,7 +228,7 @@ fn drum_machine(b: &mut Build<'_>, washes: bool) {
     );
     b.block("side", [-x + wall, -y, strip], [plate, -y + wall * 0.9, h - wall], body);
     b.block("side", [-x + wall, y - wall * 0.9, strip], [plate, y, h - wall], body);
-    let look = Look { panel: Panel::Slab, handle: Handle::None, mat: body, metal: body, t: 0.016 * u };
+    let look = Fitted { panel: Panel::Slab, handle: Handle::None, mat: body, metal: body, t: 0.016 * u };
     let tray =
         ([face - (x * 0.9).min(0.3), -y * 0.97, strip + wall * 0.4], [face + 0.004 * u, drawer_end, h - wall * 1.4]);
     let name = if washes { "soap_drawer" } else { "water_drawer" };

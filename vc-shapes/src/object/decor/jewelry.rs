@@ -111,7 +111,7 @@ pub(super) fn watch(b: &mut Build<'_>) {
     // If it were solid metal, a smart watch would be too heavy for its strap.
     let cases: &[MaterialId] =
         if smart { &[BLACK_PLASTIC, GREY_PLASTIC, ANTHRACITE] } else { &[STEEL, GOLD, BLACK_METAL, SILVER_METAL] };
-    let case = b.choose(cases);
+    let case = b.one_of(cases);
     let wide = if smart { y } else { y.min(h * 0.6) };
     let t = x * 0.1;
     let loop_ = |s: f32| oval(Axis::Y, [-t, 0.0, h / 2.0], ((x - t) * s, h / 2.0 * s), 0, 24);

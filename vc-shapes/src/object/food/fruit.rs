@@ -189,7 +189,7 @@ fn sort(class: &str) -> (Profile, &'static [MaterialId], bool, Top) {
 pub(super) fn single(b: &mut Build<'_>) {
     let (x, y, z) = dims(b);
     let (profile, skins, lying, top) = sort(b.class);
-    let skin = b.choose(skins);
+    let skin = b.one_of(skins);
     let share = match (b.class, top) {
         ("pineapple", _) => b.vary(0.55, 0.65),
         ("carrot", _) => b.vary(0.75, 0.95),
@@ -432,7 +432,7 @@ pub(super) fn cluster(b: &mut Build<'_>) {
         "blueberries" => (&[PURPLE_SKIN, NAVY], false),
         _ => (&[RED_SKIN], false),
     };
-    let mat = b.choose(mat);
+    let mat = b.one_of(mat);
     let cherries = b.class == "cherries";
     let count = if cherries { 9 } else { 15 };
     let (wide, room) = (x.min(y) / 2.0, (x * y / count as f32).sqrt());

@@ -2,6 +2,7 @@
 
 use crate::material::*;
 use crate::object::cooker::fitting::*;
+use crate::object::joinery::lid;
 use crate::solid::{Build, P, basket, case, circle, collar, fit, half_dims};
 
 /// A cage with blades on a stand, low or tall; or a tower.

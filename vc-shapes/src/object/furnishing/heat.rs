@@ -2,6 +2,7 @@
 
 use crate::material::*;
 use crate::object::cooker::fitting::*;
+use crate::object::joinery::{Swing, gapped, swing};
 use crate::solid::{Axis, Build, case, fit, floor_of, half_dims, plate_with_border};
 
 /// A flat panel with ribs, columns of cast iron, or a smooth plate, on the wall.

@@ -4,9 +4,8 @@ use std::f32::consts::TAU;
 
 use vc_graph::portable::Portable;
 
-use super::super::play::kit::{SIDES, Scaled};
 use crate::material::*;
-use crate::solid::{self, Build, MeshBuilder, P};
+use crate::solid::{self, Build, MeshBuilder, P, Proportional, SIDES};
 
 /// A dartboard: twenty sectors with double and triple fields around a bull.
 pub(super) fn dartboard(b: &mut Build<'_>) {

@@ -1,15 +1,15 @@
 //! Board games, boxed or as open boards.
 
-use super::super::play::kit::{CARDS, SIDES, Scaled};
 use crate::material::*;
-use crate::solid::{self, Axis, Build, CORNERS, MeshBuilder, P, oval_outline};
+use crate::object::palette::CARDS;
+use crate::solid::{self, Axis, Build, CORNERS, MeshBuilder, P, Proportional, SIDES, oval_outline};
 
 /// A box with a lid and a printed picture.
 pub(super) fn boxed(b: &mut Build<'_>) {
     let lid = match b.class {
         "monopoly" => b.choose(&[RED_CARD, WHITE_PAPER]),
         "scrabble" => b.choose(&[GREEN_CARD, RED_CARD, TEAL_CARD]),
-        _ => b.choose(CARDS),
+        _ => b.one_of(CARDS),
     };
     let tray = b.choose(&[WHITE_PAPER, BLACK_CARD, CARDBOARD]);
     let seam = b.vary(0.1, 0.35);
@@ -45,10 +45,10 @@ fn emblem(b: &mut Build<'_>, mat: MaterialId) {
     flat(b, (title + 0.1, -0.7), (title + 0.25, 0.7), 1, BLACK_CARD);
     let count = b.rng.count(3, 6);
     for i in 0..count {
-        let colour = b.choose(CARDS);
+        let colour = b.one_of(CARDS);
         let (x, y) = (-0.45 + 0.2 * (i % 2) as f32, -0.7 + 1.4 * i as f32 / (count - 1) as f32);
         let size = b.vary(0.1, 0.13);
-        b.plan("print", (0.95, 0.992), &oval_outline((x, y), (size * 1.3, size), 10), colour);
+        b.plan_outline("print", (0.95, 0.992), &oval_outline((x, y), (size * 1.3, size), 10), colour);
     }
 }
 
@@ -58,7 +58,7 @@ fn cross(b: &mut Build<'_>, mat: MaterialId) {
     for ((x, y), colour) in CORNERS.into_iter().zip([RED_CARD, BLUE_CARD, YELLOW_CARD, GREEN_CARD]) {
         flat(b, (0.58 * x - 0.26, 0.58 * y - 0.26), (0.58 * x + 0.26, 0.58 * y + 0.26), 1, colour);
     }
-    b.plan("print", (0.95, 0.9985), &oval_outline((0.0, 0.0), (0.2, 0.2), 4), BLACK_CARD);
+    b.plan_outline("print", (0.95, 0.9985), &oval_outline((0.0, 0.0), (0.2, 0.2), 4), BLACK_CARD);
 }
 
 /// Rows of picture cards.
@@ -66,7 +66,7 @@ fn grid(b: &mut Build<'_>, count: usize) {
     let step = 1.7 / count as f32;
     for (i, j) in (0..count).flat_map(|i| (0..count).map(move |j| (i, j))) {
         let (x, y) = (-0.85 + step * i as f32, -0.85 + step * j as f32);
-        let colour = b.choose(CARDS);
+        let colour = b.one_of(CARDS);
         flat(b, (x + step * 0.08, y + step * 0.08), (x + step * 0.92, y + step * 0.92), 0, WHITE_PAPER);
         flat(b, (x + step * 0.25, y + step * 0.25), (x + step * 0.75, y + step * 0.75), 1, colour);
     }
@@ -78,14 +78,14 @@ fn landscape(b: &mut Build<'_>) {
         (b.choose(&[BLUE_CARD, TEAL_CARD, ORANGE_CARD]), b.choose(&[GREEN_CARD, PURPLE_CARD, YELLOW_CARD]));
     flat(b, (-0.85, -0.9), (0.85, 0.9), 0, sky);
     let (left, right) = (b.vary(0.0, 0.5), b.vary(-0.2, 0.3));
-    b.plan(
+    b.plan_outline(
         "print",
         (0.95, 0.996),
         &[(0.84, -0.89), (left - 0.1, -0.89), (left, -0.2), (right, 0.4), (0.3, 0.89), (0.84, 0.89)],
         hill,
     );
     let y = b.vary(-0.5, 0.5);
-    b.plan("print", (0.95, 0.9995), &oval_outline((-0.55, y), (0.15, 0.13), 12), YELLOW_CARD);
+    b.plan_outline("print", (0.95, 0.9995), &oval_outline((-0.55, y), (0.15, 0.13), 12), YELLOW_CARD);
 }
 
 /// A row of letter tiles.

@@ -2,10 +2,10 @@
 
 use std::f32::consts::PI;
 
-use super::super::play::kit::{BRIGHT, PAINTS, SIDES, Scaled};
 use crate::material::*;
+use crate::object::palette::{BRIGHT, PAINTS};
 use crate::solid;
-use crate::solid::{Axis, Build, CORNERS, P, arc_outline};
+use crate::solid::{Axis, Build, CORNERS, P, Proportional, SIDES, arc_outline};
 
 /// A picture on a slanted screen (sky, ground and figures), on the plane through a lower and an
 /// upper line.
@@ -16,7 +16,7 @@ fn scene(b: &mut Build<'_>, low: P, high: P, half: f32) {
     };
     let mut band = |name: &str, y: (f32, f32), t: (f32, f32), out: f32, mat: MaterialId| {
         let outline = [lift(t.0, -0.02), lift(t.1, -0.02), lift(t.1, out), lift(t.0, out)];
-        b.profile(name, y, &outline, mat);
+        b.side_outline(name, y, &outline, mat);
     };
     band("screen", (-half, half), (0.0, 1.0), 0.006, SCREEN);
     band("picture", (-half * 0.88, half * 0.88), (0.08, 0.92), 0.012, PICTURE_DARK);
@@ -30,7 +30,7 @@ fn scene(b: &mut Build<'_>, low: P, high: P, half: f32) {
 /// An arcade cabinet with side panels, a slanted screen, a lit sign, a stick and buttons.
 pub(super) fn arcade(b: &mut Build<'_>) {
     let side = b.choose(&[BLACK, NAVY, RED, BLUE, ANTHRACITE, YELLOW]);
-    let art = b.choose(PAINTS);
+    let art = b.one_of(PAINTS);
     let body = b.choose(&[BLACK, ANTHRACITE]);
     let desk = b.vary(0.48, 0.53);
     let neck = b.vary(0.1, 0.3);
@@ -50,9 +50,9 @@ pub(super) fn arcade(b: &mut Build<'_>) {
     ];
     for s in SIDES {
         let (y0, y1) = ((0.93 * s).min(0.985 * s), (0.93 * s).max(0.985 * s));
-        b.profile("side", (y0, y1), &panel, side);
+        b.side_outline("side", (y0, y1), &panel, side);
         let (a, c) = ((0.98 * s).min(s), (0.98 * s).max(s));
-        b.profile("art", (a, c), &[(-0.8, 0.3), (0.3, 0.3), (-0.1, 0.62), (-0.4, 0.75), (-0.8, 0.8)], art);
+        b.side_outline("art", (a, c), &[(-0.8, 0.3), (0.3, 0.3), (-0.1, 0.62), (-0.4, 0.75), (-0.8, 0.8)], art);
     }
     let (front, deck) = (kick - 0.04, desk + 0.005);
     let inner = [
@@ -67,7 +67,7 @@ pub(super) fn arcade(b: &mut Build<'_>) {
         (head - 0.05, 0.992),
         (-0.98, 0.992),
     ];
-    b.profile("body", (-0.935, 0.935), &inner, body);
+    b.side_outline("body", (-0.935, 0.935), &inner, body);
     scene(b, [neck + 0.12, 0.0, desk + 0.075], [neck - 0.04, 0.0, 0.805], 0.88);
     let sign = b.choose(&[PICTURE_SUN, PICTURE_SKY, SIGNAL_AMBER]);
     b.slab("sign", [head - 0.1, -0.92, 0.905], [head - 0.03, 0.92, 0.985], sign);
@@ -100,10 +100,15 @@ pub(super) fn pinball(b: &mut Build<'_>) {
     let metal = b.choose(&[CHROME, BRASS, BLACK_METAL]);
     let field = b.choose(&[PICTURE_DARK, PICTURE_LAND, PICTURE_SKY]);
     let (front, back) = (b.vary(0.49, 0.52), b.vary(0.56, 0.6));
-    b.profile("case", (-0.92, 0.92), &[(-0.95, 0.4), (0.96, 0.36), (0.96, front - 0.02), (-0.95, back - 0.02)], case);
+    b.side_outline(
+        "case",
+        (-0.92, 0.92),
+        &[(-0.95, 0.4), (0.96, 0.36), (0.96, front - 0.02), (-0.95, back - 0.02)],
+        case,
+    );
     for s in SIDES {
         let (y0, y1) = ((0.88 * s).min(0.96 * s), (0.88 * s).max(0.96 * s));
-        b.profile(
+        b.side_outline(
             "rail",
             (y0, y1),
             &[(-0.6, back - 0.06), (0.97, front - 0.06), (0.97, front), (-0.6, back - 0.012)],
@@ -112,7 +117,7 @@ pub(super) fn pinball(b: &mut Build<'_>) {
     }
     b.slab("bar", [0.93, -0.97, front - 0.07], [1.0, 0.97, front + 0.004], metal);
     let z = |x: f32| front - 0.02 + (back - front) * (0.96 - x) / 1.91;
-    b.profile(
+    b.side_outline(
         "field",
         (-0.86, 0.86),
         &[(-0.5, z(-0.5) - 0.01), (0.9, z(0.9) - 0.01), (0.9, z(0.9) + 0.003), (-0.5, z(-0.5) + 0.003)],
@@ -129,7 +134,7 @@ pub(super) fn pinball(b: &mut Build<'_>) {
     for s in SIDES {
         b.plank("flipper", [0.66, 0.35 * s, ends[0]], [0.78, 0.08 * s, ends[1]], (0.02, 0.02), YELLOW_PLASTIC);
         b.plank("guide", [0.2, 0.78 * s, rails[0]], [0.66, 0.42 * s, rails[1]], (0.012, 0.024), metal);
-        b.disc("button", Axis::Y, [0.8, 0.94 * s, front - 0.09], (0.016, 0.04), RED_PLASTIC);
+        b.wheel("button", Axis::Y, [0.8, 0.94 * s, front - 0.09], (0.016, 0.04), RED_PLASTIC);
     }
     b.pole("plunger", [0.94, -0.7, front - 0.1], [1.0, -0.7, front - 0.1], 0.012, CHROME);
     b.slab("coin_door", [0.94, -0.3, 0.38], [0.975, 0.3, front - 0.1], GREY);
@@ -142,7 +147,12 @@ pub(super) fn pinball(b: &mut Build<'_>) {
     b.slab("glass", [-0.62, -0.92, back + 0.11], [-0.57, 0.92, 0.97], PICTURE_DARK);
     b.slab("sky", [-0.6, -0.86, 0.8], [-0.564, 0.86, 0.95], PICTURE_SUN);
     let hero = b.choose(&[SIGNAL_RED, SIGNAL_GREEN, PICTURE_SKY]);
-    b.facing("hero", (-0.6, -0.558), &[(-0.4, back + 0.14), (0.4, back + 0.14), (0.15, 0.9), (-0.1, 0.93)], hero);
+    b.front_outline(
+        "hero",
+        (-0.6, -0.558),
+        &[(-0.4, back + 0.14), (0.4, back + 0.14), (0.15, 0.9), (-0.1, 0.93)],
+        hero,
+    );
     b.slab("score", [-0.62, -0.7, back + 0.045], [-0.566, 0.7, back + 0.095], SCREEN);
     b.slab("digits", [-0.6, -0.5, back + 0.057], [-0.56, 0.5, back + 0.083], SIGNAL_AMBER);
 }
@@ -170,8 +180,8 @@ pub(super) fn claw(b: &mut Build<'_>) {
     for (i, mat) in colours.into_iter().enumerate() {
         let at = [-0.66, -0.66 + 0.33 * i as f32, desk + 0.055 + 0.01 * (i % 2) as f32];
         let size = [0.15, 0.17, 0.055];
-        b.blob("prize", at, size, mat);
-        b.blob("prize", [at[0] + 0.03, at[1], at[2] + 0.075], [0.1, 0.11, 0.036], mat);
+        b.ellipsoid("prize", at, size, mat);
+        b.ellipsoid("prize", [at[0] + 0.03, at[1], at[2] + 0.075], [0.1, 0.11, 0.036], mat);
     }
     let drop = b.vary(0.68, 0.76);
     b.slab("beam", [-0.1, -0.9, 0.84], [0.06, 0.9, 0.868], trim);
@@ -179,7 +189,7 @@ pub(super) fn claw(b: &mut Build<'_>) {
     b.slab("crane", [-0.1, 0.12, drop], [0.06, 0.28, drop + 0.04], CHROME);
     for (x, y) in [(0.12, 0.0), (-0.07, 0.11), (-0.07, -0.11)] {
         let knee = [-0.02 + x * 1.3, 0.2 + y * 1.3, drop - 0.035];
-        b.tube(
+        b.bent_rod(
             "claw",
             &[[-0.02 + x * 0.5, 0.2 + y * 0.5, drop + 0.005], knee, [-0.02 + x * 0.4, 0.2 + y * 0.4, drop - 0.075]],
             0.006,
@@ -193,7 +203,7 @@ pub(super) fn claw(b: &mut Build<'_>) {
     let button = b.p([0.94, 0.3, desk - 0.055]);
     b.cylinder("button", button, 0.018, 0.02, GREEN_PLASTIC);
     b.slab("chute", [0.87, 0.3, 0.1], [0.92, 0.8, 0.24], BLACK_PLASTIC);
-    b.hollow("prizes", [0.12, 0.0, desk + 0.01], (0.55, 0.8), (drop - 0.1 - desk).max(0.02));
+    b.inner_floor("prizes", [0.12, 0.0, desk + 0.01], (0.55, 0.8), (drop - 0.1 - desk).max(0.02));
 }
 
 /// A jukebox: a round-topped case with glowing tubes and a grille.
@@ -208,17 +218,17 @@ pub(super) fn jukebox(b: &mut Build<'_>) {
         line.push((-half, foot));
         line
     };
-    b.facing("case", (-1.0, 0.62), &arch(1.0, 0.0, 1.0 - spring), wood);
-    b.facing("front", (0.6, 0.7), &arch(0.9, 0.03, 0.93 - spring), BLACK);
+    b.front_outline("case", (-1.0, 0.62), &arch(1.0, 0.0, 1.0 - spring), wood);
+    b.front_outline("front", (0.6, 0.7), &arch(0.9, 0.03, 0.93 - spring), BLACK);
     for (inset, mat, r) in [(0.93, glow, 0.028), (0.8, second, 0.02)] {
         let rise = (1.0 - spring) * inset - 0.015;
         let line: Vec<P> = arch(inset - 0.04, 0.05, rise).iter().map(|&(y, z)| b.p([0.74, y, z])).collect();
         solid::tube(b, "tube", &line, r * b.size.y, mat);
     }
-    b.facing("window", (0.68, 0.76), &arch(0.66, spring - 0.02, (1.0 - spring) * 0.72), PICTURE_DARK);
+    b.front_outline("window", (0.68, 0.76), &arch(0.66, spring - 0.02, (1.0 - spring) * 0.72), PICTURE_DARK);
     for (i, mat) in [BLACK_CARD, RED_CARD, BLACK_CARD, YELLOW_CARD, BLACK_CARD].into_iter().enumerate() {
         let y = -0.4 + 0.2 * i as f32;
-        b.disc("record", Axis::X, [0.765, y, spring + 0.1], (b.size.y * 0.07, 0.006 + 0.003 * i as f32), mat);
+        b.wheel("record", Axis::X, [0.765, y, spring + 0.1], (b.size.y * 0.07, 0.006 + 0.003 * i as f32), mat);
     }
     b.slab("titles", [0.68, -0.68, spring - 0.13], [0.8, 0.68, spring - 0.02], CREAM_PAPER);
     for i in 0..3 {

@@ -4,9 +4,9 @@ use nalgebra::Vector3;
 use vc_graph::Asset;
 use vc_graph::asset::{Part, Shape};
 
-use super::super::play::kit::{SIDES, Scaled, TOY_WOODS};
 use crate::material::*;
-use crate::solid::{self, Axis, Build, CORNERS, MeshBuilder, P};
+use crate::object::palette::TOY_WOODS;
+use crate::solid::{self, Axis, Build, CORNERS, MeshBuilder, P, Proportional, SIDES};
 
 /// Tiles in rows in a wooden tray: dominoes or mahjong tiles.
 pub(super) fn tiles(b: &mut Build<'_>) {
@@ -58,7 +58,7 @@ pub(super) fn tiles(b: &mut Build<'_>) {
 /// Eighteen layers of three blocks, some pulled out.
 pub(super) fn tower(b: &mut Build<'_>) {
     let (hx, hy, h) = solid::half_dims(b);
-    let woods = [b.choose(TOY_WOODS), b.choose(&[BEECH, OAK]), b.choose(&[PINE, ASH])];
+    let woods = [b.one_of(TOY_WOODS), b.choose(&[BEECH, OAK]), b.choose(&[PINE, ASH])];
     let mut shells = [MeshBuilder::default(), MeshBuilder::default(), MeshBuilder::default()];
     let layers = 18;
     let tall = h / layers as f32;
@@ -125,7 +125,7 @@ pub(super) fn deck(b: &mut Build<'_>) {
     for side in SIDES {
         let x = (0.93 * side, 0.985 * side);
         let shape = [(0.0, 0.36 - r / 2.0), (r, 0.36), (0.0, 0.36 + r / 2.0), (-r, 0.36)];
-        b.facing("print", (x.0.min(x.1), x.0.max(x.1)), &shape, print);
+        b.front_outline("print", (x.0.min(x.1), x.0.max(x.1)), &shape, print);
     }
 }
 

@@ -2,10 +2,9 @@
 
 use std::f32::consts::TAU;
 
-use super::super::play::kit::{SIDES, Scaled};
 use crate::material::*;
 use crate::solid;
-use crate::solid::{Axis, Build, CORNERS, P, arc_outline, oval_outline};
+use crate::solid::{Axis, Build, CORNERS, P, Proportional, SIDES, arc_outline, oval_outline};
 
 const FELTS: &[MaterialId] = &[GREEN_FABRIC, GREEN_FABRIC, BLUE_FABRIC, RED_FABRIC, TEAL_FABRIC, NAVY_FABRIC];
 const FINE_WOODS: &[MaterialId] = &[MAHOGANY, WALNUT, CHERRY, OAK, WENGE];
@@ -141,7 +140,7 @@ fn rod(b: &mut Build<'_>, y: f32, hand: f32, count: usize, mat: MaterialId) {
 
 /// A billiard table: felt between cushions, six pockets, turned or square legs.
 pub(super) fn pool(b: &mut Build<'_>) {
-    let (wood, felt) = (b.choose(FINE_WOODS), b.choose(FELTS));
+    let (wood, felt) = (b.one_of(FINE_WOODS), b.one_of(FELTS));
     let leather = b.choose(&[BLACK_LEATHER, BROWN_LEATHER, BRASS]);
     let (hx, hy, h) = solid::half_dims(b);
     let r = 0.042 * 2.0 * hx.min(hy);
@@ -251,7 +250,7 @@ pub(super) fn ping_pong(b: &mut Build<'_>) {
             let (x0, x1) = ((0.958 * edge).min(0.984 * edge), (0.958 * edge).max(0.984 * edge));
             b.slab("line", [x0, (y0 + 0.001).max(-0.98), low + 0.006], [x1, y1.min(0.98), high + 0.0009], WHITE);
             b.pole("leg", [0.7 * edge, leg * side, 0.05], [0.7 * edge, leg * side, low + 0.01], 0.022, metal);
-            b.disc("wheel", Axis::Y, [0.7 * edge, leg * side, 0.0], (b.size.z * 0.06, 0.025), RUBBER);
+            b.wheel("wheel", Axis::Y, [0.7 * edge, leg * side, 0.0], (b.size.z * 0.06, 0.025), RUBBER);
         }
         b.slab("apron", [-0.93, side * leg - 0.012, low - 0.06], [0.93, side * leg + 0.012, low + 0.005], metal);
         b.pole("brace", [-0.7, leg * side, 0.28], [0.7, leg * side, 0.28], 0.014, metal);
@@ -266,7 +265,7 @@ pub(super) fn ping_pong(b: &mut Build<'_>) {
 
 /// A poker table: long and oval, with felt, a padded rail and cup holders.
 pub(super) fn poker(b: &mut Build<'_>) {
-    let (felt, wood) = (b.choose(FELTS), b.choose(FINE_WOODS));
+    let (felt, wood) = (b.one_of(FELTS), b.one_of(FINE_WOODS));
     let leather = b.choose(&[BLACK_LEATHER, BROWN_LEATHER, TAN_LEATHER]);
     let (hx, hy, h) = solid::half_dims(b);
     let pad = 0.05 * hx;
@@ -280,8 +279,8 @@ pub(super) fn poker(b: &mut Build<'_>) {
         ends.into_iter().flat_map(half).collect::<Vec<_>>()
     };
     let high = h - 2.0 * pad;
-    b.plan("table", (0.88, high / h), &outline(pad), wood);
-    b.plan("felt", (0.9, (high + pad * 0.6) / h), &outline(pad * 2.2), felt);
+    b.plan_outline("table", (0.88, high / h), &outline(pad), wood);
+    b.plan_outline("felt", (0.9, (high + pad * 0.6) / h), &outline(pad * 2.2), felt);
     let rail: Vec<P> = outline(pad).iter().map(|&(x, y)| [x * hx, y * hy, h - pad]).collect();
     solid::hoop(b, "rail", &rail, pad * 0.995, leather);
     let seats = b.rng.count(8, 10);

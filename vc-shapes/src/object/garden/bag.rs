@@ -16,7 +16,7 @@ pub(super) fn bag(b: &mut Build<'_>) {
         }
         _ => (&[WHITE_PLASTIC, GREEN_PLASTIC, YELLOW_PLASTIC, BLUE_PLASTIC], &[GREEN, RED, BLUE, ORANGE]),
     };
-    let (mat, label, second) = (b.choose(mats), b.choose(labels), b.choose(labels));
+    let (mat, label, second) = (b.one_of(mats), b.one_of(labels), b.one_of(labels));
     if b.class == "fertilizer" && b.rng.chance(0.4) {
         return bottle(b, (x.min(y), h), mat, label);
     }

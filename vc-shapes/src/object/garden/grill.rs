@@ -5,7 +5,7 @@ use std::f32::consts::{FRAC_PI_2, PI, TAU};
 use vc_graph::portable::Portable;
 
 use crate::material::*;
-use crate::object::joinery::{Handle, Side, door};
+use crate::object::joinery::{Handle, Swing, door};
 use crate::solid::{Axis, Build, CORNERS, P, at_least, limb, polar, spaced};
 
 /// A half tube along Y between two positions, closed at both ends.
@@ -180,8 +180,8 @@ pub(super) fn gas_grill(b: &mut Build<'_>) {
         b.block("cabinet", from, to, mat);
     }
     let metal = b.style.metal;
-    door(b, "door_left", [front - 0.02, 0.0, low], [front, body, panel], Side::Left, Handle::Bar, (mat, metal));
-    door(b, "door_right", [front - 0.02, -body, low], [front, 0.0, panel], Side::Right, Handle::Bar, (mat, metal));
+    door(b, "door_left", [front - 0.02, 0.0, low], [front, body, panel], Swing::Left, Handle::Bar, (mat, metal));
+    door(b, "door_right", [front - 0.02, -body, low], [front, 0.0, panel], Swing::Right, Handle::Bar, (mat, metal));
     let middle = (back + front) / 2.0;
     b.inside("compartment", [middle, 0.0, low + t], (r - 0.04, body - 0.03), panel - low - 0.03);
     // The firebox with burner knobs.

@@ -12,7 +12,7 @@ use crate::solid::{Axis, Build, P, at_least, limb, spaced};
 pub(super) fn hammock(b: &mut Build<'_>) {
     at_least(b, [0.9, 0.38, 0.14]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let (cloth, second) = (b.choose(CLOTHS), b.choose(CLOTHS));
+    let (cloth, second) = (b.one_of(CLOTHS), b.one_of(CLOTHS));
     let wood = b.choose(&[PINE, TEAK, OAK, IRON]);
     let beam = (h * 0.08).clamp(0.015, 0.04);
     let (hook, tip) = (h - beam, x - beam * 1.2);
@@ -56,7 +56,7 @@ pub(super) fn hammock(b: &mut Build<'_>) {
 pub(super) fn porch_swing(b: &mut Build<'_>) {
     at_least(b, [0.55, 0.8, 0.75]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let (metal, cloth) = (b.choose(METALS), b.choose(CLOTHS));
+    let (metal, cloth) = (b.one_of(METALS), b.one_of(CLOTHS));
     let r = 0.022;
     let top = h - 0.14;
     for s in [-1.0, 1.0] {
@@ -109,7 +109,7 @@ pub(super) fn hanging_chair(b: &mut Build<'_>) {
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let r = x.min(y);
     let (metal, wicker, cloth) =
-        (b.choose(METALS), b.choose(&[WICKER, GREY_PLASTIC, WHITE_PLASTIC, ANTHRACITE]), b.choose(CLOTHS));
+        (b.one_of(METALS), b.choose(&[WICKER, GREY_PLASTIC, WHITE_PLASTIC, ANTHRACITE]), b.one_of(CLOTHS));
     let tube = 0.025;
     b.lathe("foot", [0.0; 3], &[(r, 0.0), (r, 0.03), (r - 0.06, 0.03), (r - 0.06, 0.0), (r, 0.0)], metal);
     b.block("foot", [-r + 0.02, -0.03, 0.002], [r - 0.02, 0.03, 0.026], metal);

@@ -12,7 +12,7 @@ const POTS: &[MaterialId] =
 pub(super) fn flower_pot(b: &mut Build<'_>) {
     at_least(b, [0.05, 0.05, 0.05]);
     let (r, h) = (b.size.x.min(b.size.y) / 2.0, b.size.z);
-    let mat = b.choose(POTS);
+    let mat = b.one_of(POTS);
     let t = (r * 0.09).clamp(0.003, 0.012);
     let saucer = b.rng.chance(0.4);
     let low = if saucer { t } else { 0.0 };
@@ -79,7 +79,7 @@ pub(super) fn planter(b: &mut Build<'_>) {
     at_least(b, [0.09, 0.2, 0.08]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let boards = h > 0.3 && b.rng.chance(0.6);
-    let mat = b.choose(if boards {
+    let mat = b.one_of(if boards {
         &[PINE, OAK, TEAK, GREY_OAK, WALNUT]
     } else {
         &[CONCRETE, POTTERY, RUST, WHITE_PLASTIC, ANTHRACITE, GREEN_PLASTIC, GALVANISED]

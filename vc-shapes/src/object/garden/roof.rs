@@ -58,8 +58,8 @@ pub(super) fn gazebo(b: &mut Build<'_>) {
     at_least(b, [1.2, 1.2, 1.1]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let cloth = b.rng.chance(0.4);
-    let mat = b.choose(if cloth { &[WHITE_METAL, ANTHRACITE, GALVANISED] } else { &[PINE, OAK, TEAK, WHITE] });
-    let roof = b.choose(if cloth {
+    let mat = b.one_of(if cloth { &[WHITE_METAL, ANTHRACITE, GALVANISED] } else { &[PINE, OAK, TEAK, WHITE] });
+    let roof = b.one_of(if cloth {
         &[WHITE_COTTON, GREEN_FABRIC, BEIGE_FABRIC, NAVY_FABRIC]
     } else {
         &[ROOF_TILE, ASPHALT, PINE, ANTHRACITE]

@@ -18,8 +18,8 @@ pub(super) fn chair(b: &mut Build<'_>) {
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let design = b.rng.below(4);
     let mat = match design {
-        0 => b.choose(WOODS),
-        1 => b.choose(METALS),
+        0 => b.one_of(WOODS),
+        1 => b.one_of(METALS),
         2 => b.choose(&[WICKER, BROWN_PLASTIC, ANTHRACITE, WICKER]),
         _ => b.choose(&[WHITE_PLASTIC, GREEN_PLASTIC, GREY_PLASTIC, BROWN_PLASTIC]),
     };
@@ -68,7 +68,7 @@ pub(super) fn chair(b: &mut Build<'_>) {
             b.block("apron", [front - leg + 0.005, -inner, seat - 0.07], [front - 0.008, inner, seat - 0.017], mat);
         }
         1 => {
-            let cloth = b.choose(CLOTHS);
+            let cloth = b.one_of(CLOTHS);
             b.block("seat", [back + 0.02, -inner - 0.004, seat - 0.012], [front - 0.005, inner + 0.004, seat], cloth);
             b.rod(
                 "rail",
@@ -116,7 +116,7 @@ fn back_rest(b: &mut Build<'_>, at: &dyn Fn(f32) -> [f32; 2], inner: f32, (desig
             }
         }
         1 => {
-            let cloth = b.choose(CLOTHS);
+            let cloth = b.one_of(CLOTHS);
             board(b, "back", (0.12, 0.95), (-wide, wide), 0.01, cloth);
             board(b, "rail", (0.955, 0.985), (-wide, wide), 0.02, mat);
         }
@@ -135,7 +135,7 @@ fn back_rest(b: &mut Build<'_>, at: &dyn Fn(f32) -> [f32; 2], inner: f32, (desig
 pub(super) fn deck_chair(b: &mut Build<'_>) {
     at_least(b, [0.4, 0.27, 0.37]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let (wood, cloth) = (b.choose(&[BEECH, TEAK, PINE, WHITE]), b.choose(CLOTHS));
+    let (wood, cloth) = (b.choose(&[BEECH, TEAK, PINE, WHITE]), b.one_of(CLOTHS));
     let stripe = b.choose(&[WHITE_COTTON, BEIGE_FABRIC, cloth]);
     let w = 0.015;
     let (rear, front) = ([-x + 0.03, h - 0.02], [x - 0.03, h * b.vary(0.36, 0.44)]);
@@ -196,7 +196,7 @@ fn crossing([a, c]: [[f32; 2]; 2], [p, q]: [[f32; 2]; 2]) -> [f32; 2] {
 pub(super) fn lounger(b: &mut Build<'_>) {
     at_least(b, [0.9, 0.28, 0.14]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let (frame, cloth) = (b.choose(&[TEAK, PINE, WHITE_PLASTIC, ANTHRACITE, WICKER, ALUMINIUM]), b.choose(CLOTHS));
+    let (frame, cloth) = (b.choose(&[TEAK, PINE, WHITE_PLASTIC, ANTHRACITE, WICKER, ALUMINIUM]), b.one_of(CLOTHS));
     let deck = h * b.vary(0.6, 0.72);
     let knee = -x * b.vary(0.25, 0.4);
     let (rise, t) = (h - deck, 0.03_f32.min(h * 0.12));

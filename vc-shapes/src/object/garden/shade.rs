@@ -10,7 +10,7 @@ use crate::solid::{Build, P, at_least, mix, polygon};
 pub(super) fn parasol(b: &mut Build<'_>) {
     at_least(b, [0.8, 0.8, 1.0]);
     let (r, h) = (b.size.x.min(b.size.y) / 2.0, b.size.z);
-    let (cloth, second) = (b.choose(CLOTHS), b.choose(CLOTHS));
+    let (cloth, second) = (b.one_of(CLOTHS), b.one_of(CLOTHS));
     let second = if b.rng.chance(0.5) { cloth } else { second };
     let pole = b.choose(&[PINE, WHITE_METAL, ALUMINIUM, ANTHRACITE, TEAK]);
     let ribs = b.choose(&[6, 8, 8, 4]);

@@ -65,7 +65,7 @@ impl House {
 pub(super) fn garden_shed(b: &mut Build<'_>) {
     at_least(b, [0.75, 0.9, 0.95]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let (mat, trim) = (b.choose(WOODS), b.choose(&[WHITE, PINE, OAK, ANTHRACITE]));
+    let (mat, trim) = (b.one_of(WOODS), b.choose(&[WHITE, PINE, OAK, ANTHRACITE]));
     let roof = b.choose(&[ASPHALT, ROOF_TILE, ANTHRACITE, GREEN_METAL, GALVANISED]);
     let (out, t, low) = (b.vary(0.04, 0.12), 0.03, 0.06);
     let eaves = h * b.vary(0.74, 0.84);
@@ -217,7 +217,7 @@ pub(super) fn greenhouse(b: &mut Build<'_>) {
 pub(super) fn kennel(b: &mut Build<'_>) {
     at_least(b, [0.35, 0.3, 0.32]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let (mat, roof) = (b.choose(WOODS), b.choose(&[RED, ASPHALT, ROOF_TILE, FOREST, ANTHRACITE]));
+    let (mat, roof) = (b.one_of(WOODS), b.choose(&[RED, ASPHALT, ROOF_TILE, FOREST, ANTHRACITE]));
     let (out, t, low) = (0.05, 0.018, 0.04);
     let eaves = h * b.vary(0.6, 0.7);
     let house = House { x: x - out, y: y - out, low, eaves, ridge: h - 0.025, t };
@@ -257,7 +257,7 @@ pub(super) fn kennel(b: &mut Build<'_>) {
 pub(super) fn rabbit_hutch(b: &mut Build<'_>) {
     at_least(b, [0.25, 0.45, 0.35]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let (mat, roof) = (b.choose(WOODS), b.choose(&[ASPHALT, GREEN_METAL, ROOF_TILE, ANTHRACITE]));
+    let (mat, roof) = (b.one_of(WOODS), b.choose(&[ASPHALT, GREEN_METAL, ROOF_TILE, ANTHRACITE]));
     let (floor, t) = (h * b.vary(0.28, 0.4), 0.018);
     let (back, front) = (-x + 0.03, x - 0.05);
     let (rear, fore) = (h - 0.09, h - 0.05);

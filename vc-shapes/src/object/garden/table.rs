@@ -12,7 +12,7 @@ pub(super) fn table(b: &mut Build<'_>) {
     at_least(b, [0.25, 0.25, 0.33]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let bistro = b.class == "bistro_table" || (y < 0.5 && b.rng.chance(0.4));
-    let (wood, metal) = (b.choose(WOODS), b.choose(METALS));
+    let (wood, metal) = (b.one_of(WOODS), b.one_of(METALS));
     let round = if bistro { b.rng.chance(0.75) } else { (x - y).abs() < 0.12 && b.rng.chance(0.6) };
     let t = b.vary(0.018, 0.03);
     let r = x.min(y);

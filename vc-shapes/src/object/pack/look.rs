@@ -143,11 +143,11 @@ pub(super) fn look(b: &mut Build<'_>) -> Look {
             | "wet_wipes"
             | "dishwasher_tablets"
     );
-    let body = b.choose(if plastic { PLASTICS } else { bodies });
-    let cap = b.choose(if plastic { PLASTICS } else { caps });
-    let paper = b.choose(LIGHT);
-    let paper = if paper == body || b.rng.chance(0.3) { b.choose(CARDS) } else { paper };
-    let ink = b.choose(CARDS);
+    let body = b.one_of(if plastic { PLASTICS } else { bodies });
+    let cap = b.one_of(if plastic { PLASTICS } else { caps });
+    let paper = b.one_of(LIGHT);
+    let paper = if paper == body || b.rng.chance(0.3) { b.one_of(CARDS) } else { paper };
+    let ink = b.one_of(CARDS);
     let ink = if ink == paper { WHITE_PAPER } else { ink };
     Look { body, paper, ink, cap }
 }

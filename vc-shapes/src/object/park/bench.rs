@@ -18,7 +18,7 @@ pub(in crate::object) fn bench(b: &mut Build<'_>) {
         "garden_bench" => &[Frame::Wood, Frame::Wood, Frame::CastIron, Frame::Tube],
         _ => &[Frame::CastIron, Frame::CastIron, Frame::Concrete, Frame::Tube, Frame::Wood],
     };
-    let frame = b.choose(frames);
+    let frame = b.one_of(frames);
     at_least(b, [0.25, 0.55, 0.37]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z - 0.004);
     let seat = (h * 0.52).min(0.45);

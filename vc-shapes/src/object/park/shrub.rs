@@ -19,7 +19,7 @@ pub(super) fn bush(b: &mut Build<'_>) {
         _ => loose(b, &mut sketch, leaves),
     }
     if design == 1 || design == 2 {
-        let (mat, last) = (b.choose(PETALS), sketch.count());
+        let (mat, last) = (b.one_of(PETALS), sketch.count());
         let radius = b.size.min() * b.vary(0.03, 0.05);
         for _ in 0..b.rng.count(12, 30) {
             let mut any = || sketch.point(b.rng.below(last), b.rng.below(64));
@@ -67,7 +67,7 @@ fn trimmed(b: &mut Build<'_>, sketch: &mut Sketch, leaves: MaterialId) {
 /// A rose bush: thorny stems, few leaves, large flowers.
 pub(super) fn rose_bush(b: &mut Build<'_>) {
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let (petal, leaves) = (b.choose(PETALS), b.choose(&[LEAF, DARK_LEAF]));
+    let (petal, leaves) = (b.one_of(PETALS), b.choose(&[LEAF, DARK_LEAF]));
     let mut sketch = Sketch::default();
     let (count, start) = (b.rng.count(5, 10), b.vary(0.0, TAU));
     let rose = b.size.min() * b.vary(0.07, 0.11);

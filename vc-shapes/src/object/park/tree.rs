@@ -142,7 +142,7 @@ fn broadleaf(b: &mut Build<'_>, habit: &Habit) -> (Trunk, Sketch) {
     let height = b.size.z;
     let clear = height * b.vary(habit.clear.0, habit.clear.1);
     let girth = height * b.vary(habit.girth.0, habit.girth.1);
-    let crown = b.choose(habit.crowns);
+    let crown = b.one_of(habit.crowns);
     let (reach, tall) = (b.size.x.min(b.size.y) / 2.0, height - clear);
     let lean = polar(b.vary(0.0, TAU), height * b.vary(0.0, 0.04));
     let top = [lean.0, lean.1, clear + tall * 0.55];
@@ -168,7 +168,7 @@ fn broadleaf(b: &mut Build<'_>, habit: &Habit) -> (Trunk, Sketch) {
         sketch.add("branch", limb(from, *centre, girth * 0.45, girth * 0.12), habit.bark);
     }
     let first = sketch.count();
-    let leaves = b.choose(habit.leaves);
+    let leaves = b.one_of(habit.leaves);
     for (centre, radii) in blobs {
         let points = b.rng.count(24, 40);
         let points = blob(b, centre, radii, points, habit.ragged);

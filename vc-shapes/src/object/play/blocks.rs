@@ -2,15 +2,15 @@
 
 use vc_graph::portable::Portable;
 
-use super::kit::*;
 use crate::material::*;
-use crate::solid::{Axis, Build, arc_outline, oval_outline};
+use crate::object::palette::*;
+use crate::solid::{Axis, Build, Proportional, SIDES, arc_outline, oval_outline};
 
 /// A small castle of wooden blocks: cubes, arches, pillars, roofs.
 pub(super) fn wooden(b: &mut Build<'_>) {
     let plain = b.rng.chance(0.4);
-    let wood = b.choose(TOY_WOODS);
-    let paint = |b: &mut Build<'_>| if plain && b.rng.chance(0.7) { wood } else { b.choose(PAINTS) };
+    let wood = b.one_of(TOY_WOODS);
+    let paint = |b: &mut Build<'_>| if plain && b.rng.chance(0.7) { wood } else { b.one_of(PAINTS) };
     let columns = 4;
     let step = 2.0 / columns as f32;
     let mut tallest = true;
@@ -38,7 +38,7 @@ pub(super) fn wooden(b: &mut Build<'_>) {
             );
         } else {
             let ridge = (z + 0.2).min(1.0);
-            b.facing("prism", (-0.6, 0.1), &[(y - half, z), (y + half, z), (y, ridge)], mat);
+            b.front_outline("prism", (-0.6, 0.1), &[(y - half, z), (y + half, z), (y, ridge)], mat);
         }
     }
     for (y, z) in [(-0.7, 0.0), (0.1, 0.0), (0.75, 0.0)] {
@@ -60,7 +60,7 @@ fn radius(b: &Build<'_>, half: f32) -> f32 {
 fn arch(b: &mut Build<'_>, (y, half): (f32, f32), x: (f32, f32), h: f32, mat: MaterialId) {
     let mut outline = vec![(y + half, 0.0), (y + half, h), (y - half, h), (y - half, 0.0)];
     outline.extend(arc_outline((y, 0.0), (-half * 0.6, h * 0.7), (0.0, std::f32::consts::PI), 9));
-    b.facing("arch", x, &outline, mat);
+    b.front_outline("arch", x, &outline, mat);
 }
 
 /// Interlocking bricks on a base plate: a small house or tower.
@@ -74,7 +74,7 @@ pub(super) fn bricks(b: &mut Build<'_>) {
         let z = plate + h * course as f32;
         let inset = if course == 3 { 0.22 } else { 0.0 };
         for (i, side) in SIDES.into_iter().enumerate() {
-            let (mat, other) = (b.choose(BRIGHT), b.choose(BRIGHT));
+            let (mat, other) = (b.one_of(BRIGHT), b.one_of(BRIGHT));
             let split = b.vary(-0.25, 0.25);
             let y = side * (0.62 - inset);
             let ends = (y - 0.16, y + 0.16);
@@ -86,11 +86,11 @@ pub(super) fn bricks(b: &mut Build<'_>) {
             }
         }
     }
-    let mat = b.choose(BRIGHT);
+    let mat = b.one_of(BRIGHT);
     brick(b, ((-0.7, -0.45), (-0.4, 0.45)), (plate, plate + h * 2.0), mat);
     let z = plate;
     for (x, y) in [(0.86, -0.85), (0.88, 0.1), (-0.86, 0.8)] {
-        let loose = b.choose(BRIGHT);
+        let loose = b.one_of(BRIGHT);
         brick(b, ((x - 0.1, y - 0.1), (x + 0.1, y + 0.1)), (z, z + h * 0.7), loose);
     }
 }
@@ -110,7 +110,7 @@ fn brick(b: &mut Build<'_>, (low, high): ((f32, f32), (f32, f32)), z: (f32, f32)
 
 /// Stacking rings of decreasing size on a post, with a ball on top.
 pub(super) fn rings(b: &mut Build<'_>) {
-    let wood = b.choose(TOY_WOODS);
+    let wood = b.one_of(TOY_WOODS);
     let r = b.size.x.min(b.size.y) / 2.0;
     b.pole("base", [0.0; 3], [0.0, 0.0, 0.08], r * 0.9, wood);
     b.pole("post", [0.0, 0.0, 0.07], [0.0, 0.0, 0.88], r * 0.14, wood);
@@ -121,7 +121,7 @@ pub(super) fn rings(b: &mut Build<'_>) {
         let thick = (h * b.size.z / 2.0).min(r * 0.2);
         let outer = r * (1.0 - share * 0.58);
         let mat = BRIGHT[i % BRIGHT.len()];
-        b.hoop("ring", Axis::Z, [0.0, 0.0, 0.08 + h * (i as f32 + 0.5)], (outer - thick, thick), mat);
+        b.torus("ring", Axis::Z, [0.0, 0.0, 0.08 + h * (i as f32 + 0.5)], (outer - thick, thick), mat);
         let inner = (outer - thick) * 1.02;
         let base = b.p([0.0, 0.0, 0.08 + h * i as f32]);
         let tall = b.size.z * h;
@@ -134,14 +134,14 @@ pub(super) fn rings(b: &mut Build<'_>) {
 
 /// A shape sorter: a box with holes of several shapes in its lid, the shapes beside them.
 pub(super) fn sorter(b: &mut Build<'_>) {
-    let (case, lid) = (b.choose(&[BEECH, BIRCH, WHITE_PLASTIC, BLUE_PLASTIC, YELLOW_PLASTIC]), b.choose(BRIGHT));
+    let (case, lid) = (b.choose(&[BEECH, BIRCH, WHITE_PLASTIC, BLUE_PLASTIC, YELLOW_PLASTIC]), b.one_of(BRIGHT));
     let t = 0.06;
     b.slab("bottom", [-0.98, -0.98, 0.0], [0.98, 0.98, t], case);
     for s in SIDES {
         b.slab("wall", [-0.98, s * 0.93 - 0.05, t], [0.98, s * 0.93 + 0.05, 0.934], case);
         b.slab("wall", [s * 0.93 - 0.05, -0.88, t], [s * 0.93 + 0.05, 0.88, 0.934], case);
     }
-    b.hollow("inside", [0.0, 0.0, t], (0.84, 0.84), 0.85);
+    b.inner_floor("inside", [0.0, 0.0, t], (0.84, 0.84), 0.85);
     let anchor = b.p([-1.0, 0.0, 0.93]);
     b.hinge(anchor, [0.0, -1.0, 0.0], 1.8, |b| {
         b.slab("lid", [-1.0, -1.0, 0.935], [1.0, 1.0, 0.985], lid);
@@ -152,7 +152,7 @@ pub(super) fn sorter(b: &mut Build<'_>) {
             oval_outline((0.45, -0.45), (0.28, 0.28), 6),
         ];
         for hole in holes {
-            b.plan("hole", (0.97, 0.99), &hole, BLACK_PLASTIC);
+            b.plan_outline("hole", (0.97, 0.99), &hole, BLACK_PLASTIC);
         }
     });
     let shapes = [
@@ -163,15 +163,15 @@ pub(super) fn sorter(b: &mut Build<'_>) {
     for (i, shape) in shapes.iter().enumerate() {
         let y = -0.58 + 0.58 * i as f32;
         let moved: Vec<_> = shape.iter().map(|&(a, z)| (a + y, z)).collect();
-        b.facing("sign", (0.97, 1.0), &moved, BRIGHT[i]);
-        b.facing("sign", (-1.0, -0.97), &moved, BRIGHT[i + 2]);
+        b.front_outline("sign", (0.97, 1.0), &moved, BRIGHT[i]);
+        b.front_outline("sign", (-1.0, -0.97), &moved, BRIGHT[i + 2]);
     }
 }
 
 /// A marble run: a zigzag of sloping channels between posts, with marbles on it.
 pub(super) fn marble_run(b: &mut Build<'_>) {
     let wood = b.rng.chance(0.5);
-    let post = if wood { b.choose(TOY_WOODS) } else { b.choose(BRIGHT) };
+    let post = if wood { b.one_of(TOY_WOODS) } else { b.one_of(BRIGHT) };
     let count = 4;
     let r = b.size.x * 0.07;
     b.pad("tray", [-0.95, -1.0, 0.0], [0.95, 1.0, 0.05], 0.004, post);
@@ -195,7 +195,7 @@ pub(super) fn marble_run(b: &mut Build<'_>) {
         let marble = b.p([0.42, side * 0.1, z - 0.05]);
         b.ball("marble", marble, b.size.x * 0.05, BRIGHT[i + 2]);
     }
-    b.hoop("bowl", Axis::Z, [-0.45, 0.0, 0.055], (b.size.x * 0.2, b.size.z * 0.012), YELLOW_PLASTIC);
+    b.torus("bowl", Axis::Z, [-0.45, 0.0, 0.055], (b.size.x * 0.2, b.size.z * 0.012), YELLOW_PLASTIC);
 }
 
 /// Several glass marbles in a net or a dish.
@@ -218,7 +218,7 @@ pub(super) fn marbles(b: &mut Build<'_>) {
 
 /// Beads on bars in a frame.
 pub(super) fn abacus(b: &mut Build<'_>) {
-    let wood = b.choose(TOY_WOODS);
+    let wood = b.one_of(TOY_WOODS);
     let rows = b.rng.count(5, 8);
     for y in SIDES {
         b.slab("post", [-0.3, y * 0.95 - 0.05, 0.04], [0.3, y * 0.95 + 0.05, 0.97], wood);
@@ -241,7 +241,7 @@ pub(super) fn abacus(b: &mut Build<'_>) {
             }
             for i in 0..count {
                 let y = end - side * 0.14 * (i as f32 + 0.5);
-                b.disc("bead", Axis::Y, [0.0, y, z], (r, b.size.y * 0.035), mat);
+                b.wheel("bead", Axis::Y, [0.0, y, z], (r, b.size.y * 0.035), mat);
             }
         }
     }

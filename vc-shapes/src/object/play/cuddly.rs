@@ -1,8 +1,8 @@
 //! Animals: sitting soft toys, figures that stand on four legs, and ride-on animals.
 
-use super::kit::*;
 use crate::material::*;
-use crate::solid::{Axis, Build, CORNERS, P, band, coil, oval_outline};
+use crate::object::palette::*;
+use crate::solid::{Axis, Build, CORNERS, P, Proportional, Ring, SIDES, band, coil, oval_outline};
 
 /// A sitting soft toy: a bear or one of several other animals.
 pub(super) fn cuddly(b: &mut Build<'_>) {
@@ -18,12 +18,12 @@ pub(super) fn cuddly(b: &mut Build<'_>) {
     let (plump, head) = (b.vary(0.52, 0.66), b.vary(0.48, 0.56));
     let crown = if kind == 1 { 0.70 } else { 0.96 };
     let tall = crown - 0.5;
-    b.blob("body", [-0.35, 0.0, 0.3], [0.65, plump, 0.3], fur);
-    b.blob("belly", [-0.11, 0.0, 0.28], [0.475, plump * 0.68, 0.215], pale);
+    b.ellipsoid("body", [-0.35, 0.0, 0.3], [0.65, plump, 0.3], fur);
+    b.ellipsoid("belly", [-0.11, 0.0, 0.28], [0.475, plump * 0.68, 0.215], pale);
     for y in SIDES {
-        b.blob("arm", [0.0, y * 0.66, 0.42], [0.32, 0.34, 0.15], fur);
-        b.blob("leg", [0.4, y * 0.5, 0.13], [0.58, 0.3, 0.13], fur);
-        b.blob("sole", [0.93, y * 0.5, 0.13], [0.06, 0.2, 0.09], pale);
+        b.ellipsoid("arm", [0.0, y * 0.66, 0.42], [0.32, 0.34, 0.15], fur);
+        b.ellipsoid("leg", [0.4, y * 0.5, 0.13], [0.58, 0.3, 0.13], fur);
+        b.ellipsoid("sole", [0.93, y * 0.5, 0.13], [0.06, 0.2, 0.09], pale);
     }
     let low = 0.5 - tall * 0.05;
     b.within([-0.9, -head * 1.25, low], [0.7, head * 1.25, crown], |b| face(b, kind, (fur, pale)));
@@ -34,35 +34,35 @@ pub(super) fn cuddly(b: &mut Build<'_>) {
         }
     }
     if b.rng.chance(0.4) {
-        let bow = b.choose(CLOTHS);
+        let bow = b.one_of(CLOTHS);
         for y in SIDES {
-            b.blob("bow", [0.15, y * 0.2, 0.53], [0.13, 0.2, 0.055], bow);
+            b.ellipsoid("bow", [0.15, y * 0.2, 0.53], [0.13, 0.2, 0.055], bow);
         }
-        b.blob("bow", [0.2, 0.0, 0.53], [0.13, 0.08, 0.04], bow);
+        b.ellipsoid("bow", [0.2, 0.0, 0.53], [0.13, 0.08, 0.04], bow);
     }
 }
 
 /// A head that fills the size: bear, rabbit, cat, elephant, penguin, frog.
 fn face(b: &mut Build<'_>, kind: usize, (fur, pale): (MaterialId, MaterialId)) {
     let top = if matches!(kind, 0 | 2 | 5) { 0.9 } else { 1.0 };
-    b.blob("head", [-0.2, 0.0, top * 0.5], [0.75, 0.8, top * 0.5], fur);
+    b.ellipsoid("head", [-0.2, 0.0, top * 0.5], [0.75, 0.8, top * 0.5], fur);
     for y in SIDES {
         let eye = if kind == 5 { [0.0, y * 0.42, 0.88] } else { [0.42, y * 0.3, 0.62 * top] };
         if kind == 5 {
-            b.blob("eye", [-0.1, y * 0.42, 0.84], [0.28, 0.24, 0.16], pale);
+            b.ellipsoid("eye", [-0.1, y * 0.42, 0.84], [0.28, 0.24, 0.16], pale);
         }
-        b.blob("pupil", [eye[0] + 0.1, eye[1], eye[2]], [0.1, 0.09, 0.07], BLACK_PLASTIC);
+        b.ellipsoid("pupil", [eye[0] + 0.1, eye[1], eye[2]], [0.1, 0.09, 0.07], BLACK_PLASTIC);
         match kind {
             0 => {
-                b.blob("ear", [-0.25, y * 0.68, 0.85], [0.2, 0.28, 0.15], fur);
-                b.blob("ear", [-0.12, y * 0.68, 0.84], [0.12, 0.17, 0.1], pale);
+                b.ellipsoid("ear", [-0.25, y * 0.68, 0.85], [0.2, 0.28, 0.15], fur);
+                b.ellipsoid("ear", [-0.12, y * 0.68, 0.84], [0.12, 0.17, 0.1], pale);
             }
             2 => {
                 let (x, y0, y1) = (-0.25, y * 0.25, y * 0.72);
                 let base = [[x - 0.15, y0, 0.8], [x + 0.15, y0, 0.8], [x - 0.15, y1, 0.62], [x + 0.15, y1, 0.62]];
                 b.chunk("ear", &[base[0], base[1], base[2], base[3], [x, y * 0.62, 1.0]], fur);
             }
-            3 => b.blob("ear", [-0.3, y * 0.78, 0.52], [0.12, 0.22, 0.34], pale),
+            3 => b.ellipsoid("ear", [-0.3, y * 0.78, 0.52], [0.12, 0.22, 0.34], pale),
             _ => {}
         }
     }
@@ -73,13 +73,13 @@ fn face(b: &mut Build<'_>, kind: usize, (fur, pale): (MaterialId, MaterialId)) {
             b.skin("trunk", Axis::X, &curl, fur);
         }
         4 => {
-            b.blob("cheek", [0.1, 0.0, 0.42], [0.5, 0.6, 0.3], pale);
+            b.ellipsoid("cheek", [0.1, 0.0, 0.42], [0.5, 0.6, 0.3], pale);
             b.chunk("beak", &[[0.5, 0.22, 0.45], [0.5, -0.22, 0.45], [0.5, 0.0, 0.32], [0.98, 0.0, 0.4]], ORANGE_SKIN);
         }
-        5 => b.blob("mouth", [0.35, 0.0, 0.3], [0.3, 0.45, 0.06], pale),
+        5 => b.ellipsoid("mouth", [0.35, 0.0, 0.3], [0.3, 0.45, 0.06], pale),
         _ => {
-            b.blob("muzzle", [0.5, 0.0, 0.34], [0.36, 0.36, 0.2], pale);
-            b.blob("nose", [0.84, 0.0, 0.44], [0.14, 0.13, 0.08], BLACK_PLASTIC);
+            b.ellipsoid("muzzle", [0.5, 0.0, 0.34], [0.36, 0.36, 0.2], pale);
+            b.ellipsoid("nose", [0.84, 0.0, 0.44], [0.14, 0.13, 0.08], BLACK_PLASTIC);
         }
     }
 }
@@ -199,9 +199,9 @@ fn beast(b: &mut Build<'_>, shape: &Beast, coat: MaterialId, hoof: MaterialId) {
         let turned: Vec<Ring> = rings.iter().map(|&(c, x, y)| (c, x * 1.2, y)).collect();
         b.skin("neck", Axis::Z, &turned, coat);
     }
-    b.blob("head", [head.0, 0.0, head.1], skull, coat);
+    b.ellipsoid("head", [head.0, 0.0, head.1], skull, coat);
     let muzzle = [head.0 + skull[0] * 0.62, 0.0, head.1 - skull[2] * 0.3];
-    b.blob("muzzle", muzzle, [skull[0] * 0.36, skull[1] * 0.7, skull[2] * 0.66], hoof);
+    b.ellipsoid("muzzle", muzzle, [skull[0] * 0.36, skull[1] * 0.7, skull[2] * 0.66], hoof);
     let radius = leg * b.size.y / 2.0;
     for (x, y) in CORNERS {
         let at = if x > 0.0 { chest - long * 0.17 } else { tail + long * 0.17 };
@@ -213,7 +213,7 @@ fn beast(b: &mut Build<'_>, shape: &Beast, coat: MaterialId, hoof: MaterialId) {
     }
     for y in SIDES {
         let eye = [head.0 + skull[0] * 0.3, y * skull[1] * 0.8, head.1 + skull[2] * 0.35];
-        b.blob("eye", eye, [skull[0] * 0.13, skull[1] * 0.16, skull[2] * 0.2], BLACK_PLASTIC);
+        b.ellipsoid("eye", eye, [skull[0] * 0.13, skull[1] * 0.16, skull[2] * 0.2], BLACK_PLASTIC);
     }
 }
 
@@ -222,7 +222,7 @@ fn ears(b: &mut Build<'_>, shape: &Beast, half: P, mat: MaterialId) {
     let (head, skull) = (shape.head, shape.skull);
     for y in SIDES {
         let at = [head.0 - skull[0] * 0.45, y * (skull[1] * 0.75), head.1 + skull[2] * 0.75];
-        b.blob("ear", at, half, mat);
+        b.ellipsoid("ear", at, half, mat);
     }
 }
 
@@ -241,8 +241,8 @@ pub(super) fn animal(b: &mut Build<'_>) {
             beast(b, &COW, WHITE_PLASTIC, PINK_PLASTIC);
             ears(b, &COW, [0.06, 0.28, 0.05], BLACK_PLASTIC);
             tail(b, &COW, BLACK_PLASTIC);
-            b.blob("patch", [-0.45, 0.0, 0.68], [0.3, 0.86, 0.14], BLACK_PLASTIC);
-            b.blob("patch", [0.15, 0.0, 0.72], [0.2, 0.83, 0.12], BLACK_PLASTIC);
+            b.ellipsoid("patch", [-0.45, 0.0, 0.68], [0.3, 0.86, 0.14], BLACK_PLASTIC);
+            b.ellipsoid("patch", [0.15, 0.0, 0.72], [0.2, 0.83, 0.12], BLACK_PLASTIC);
         }
         1 => {
             let coat = b.choose(&[BROWN_PLASTIC, BLACK_PLASTIC, WHITE_PLASTIC, BEECH]);
@@ -263,7 +263,7 @@ pub(super) fn animal(b: &mut Build<'_>) {
             ears(b, &GIRAFFE, [0.04, 0.1, 0.05], BROWN_PLASTIC);
             tail(b, &GIRAFFE, BROWN_PLASTIC);
             for (x, z) in [(-0.55, 0.52), (-0.2, 0.5), (0.15, 0.53)] {
-                b.blob("spot", [x, 0.0, z], [0.11, 0.82, 0.04], BROWN_PLASTIC);
+                b.ellipsoid("spot", [x, 0.0, z], [0.11, 0.82, 0.04], BROWN_PLASTIC);
             }
         }
     }
@@ -283,7 +283,7 @@ fn elephant(b: &mut Build<'_>, skin: MaterialId) {
     let ring = |x: f32, z: f32, r: f32| ([x, 0.0, z], r, r * 2.0);
     b.skin("trunk", Axis::Z, &[ring(0.93, 0.2, 0.07), ring(0.88, 0.45, 0.08), ring(x + 0.2, z, 0.12)], skin);
     for y in SIDES {
-        b.blob("ear", [x - 0.1, y * 0.62, z], [0.24, 0.1, 0.2], skin);
+        b.ellipsoid("ear", [x - 0.1, y * 0.62, z], [0.24, 0.1, 0.2], skin);
         let tusk = [([x + 0.2, y * 0.35, z - 0.15], 0.08, 0.03), ([1.0, y * 0.35, z - 0.2], 0.0, 0.0)];
         b.skin("tusk", Axis::X, &tusk, WHITE_PLASTIC);
     }
@@ -305,14 +305,14 @@ pub(super) fn dinosaur(b: &mut Build<'_>) {
     b.skin("tail", Axis::X, &[ring(-0.3, mid, 0.85), ring(-0.65, mid * 0.8, 0.4), ([-1.0, 0.0, 0.12], 0.0, 0.0)], skin);
     if kind == 2 {
         let crest = oval_outline((0.0, 0.62), (0.85, 0.36), 12);
-        b.facing("frill", (0.3, 0.4), &crest, pale);
+        b.front_outline("frill", (0.3, 0.4), &crest, pale);
         for (y, z, x) in [(-0.3, 0.68, 0.95), (0.3, 0.68, 0.95), (0.0, 0.52, 1.0)] {
             b.skin("horn", Axis::X, &[([0.6, y, z - 0.1], 0.12, 0.05), ([x, y, z], 0.0, 0.0)], WHITE_PLASTIC);
         }
     } else {
         for i in 0..5 {
             let x = -0.4 + 0.17 * i as f32;
-            b.blob("stripe", [x, 0.0, shape.back - 0.1], [0.05, 0.5, 0.1], pale);
+            b.ellipsoid("stripe", [x, 0.0, shape.back - 0.1], [0.05, 0.5, 0.1], pale);
         }
     }
 }
@@ -329,15 +329,15 @@ fn tyrannosaur(b: &mut Build<'_>, skin: MaterialId, pale: MaterialId) {
         ([0.5, 0.0, 0.86], 0.0, 0.0),
     ];
     b.skin("body", Axis::X, &trunk, skin);
-    b.blob("head", [0.6, 0.0, 0.88], [0.34, 0.5, 0.115], skin);
+    b.ellipsoid("head", [0.6, 0.0, 0.88], [0.34, 0.5, 0.115], skin);
     b.chunk("jaw", &jaw(0.86, 0.82), skin);
     b.chunk("teeth", &jaw(0.81, 0.79), WHITE_PLASTIC);
     b.chunk("jaw", &jaw(0.785, 0.74), pale);
     for y in SIDES {
-        b.blob("eye", [0.62, y * 0.4, 0.94], [0.06, 0.1, 0.035], BLACK_PLASTIC);
-        b.blob("thigh", [-0.1, y * 0.66, 0.36], [0.24, 0.3, 0.18], skin);
+        b.ellipsoid("eye", [0.62, y * 0.4, 0.94], [0.06, 0.1, 0.035], BLACK_PLASTIC);
+        b.ellipsoid("thigh", [-0.1, y * 0.66, 0.36], [0.24, 0.3, 0.18], skin);
         b.chunk("shin", &limb([-0.15, y * 0.7, 0.28], [-0.02, y * 0.7, 0.04], 0.09), skin);
-        b.blob("foot", [0.08, y * 0.7, 0.04], [0.26, 0.28, 0.04], pale);
+        b.ellipsoid("foot", [0.08, y * 0.7, 0.04], [0.26, 0.28, 0.04], pale);
         b.chunk("arm", &limb([0.32, y * 0.5, 0.62], [0.55, y * 0.5, 0.5], 0.05), skin);
     }
     for i in 0..6 {
@@ -367,12 +367,12 @@ fn limb(from: P, to: P, half: f32) -> Vec<P> {
 pub(super) fn rocking_horse(b: &mut Build<'_>) {
     let wooden = b.rng.chance(0.5);
     let (coat, dark) =
-        if wooden { (b.choose(TOY_WOODS), WALNUT) } else { (b.choose(&[FUR, BROWN_FABRIC, WOOL]), BROWN_LEATHER) };
+        if wooden { (b.one_of(TOY_WOODS), WALNUT) } else { (b.choose(&[FUR, BROWN_FABRIC, WOOL]), BROWN_LEATHER) };
     let runner = if wooden { coat } else { b.style.wood };
     let curve: Vec<_> = (0..9).map(|i| i as f32 / 4.0 - 1.0).map(|x| (x, 0.16 * x * x)).collect();
     for y in SIDES {
         let edge = (y * 0.9 - 0.1, y * 0.9 + 0.1);
-        b.profile("runner", edge, &band(&curve, (0.0, 0.07)), runner);
+        b.side_outline("runner", edge, &band(&curve, (0.0, 0.07)), runner);
     }
     for x in [-0.48, 0.33] {
         b.slab("crossbar", [x - 0.07, -0.9, 0.075], [x + 0.07, 0.9, 0.115], runner);
@@ -396,15 +396,15 @@ fn mount(b: &mut Build<'_>, coat: MaterialId, dark: MaterialId) {
     ears(b, &MOUNT, [0.06, 0.1, 0.06], coat);
     b.chunk("mane", &mane(&MOUNT), dark);
     tail(b, &MOUNT, dark);
-    let cloth = b.choose(CLOTHS);
-    b.blob("saddle", [-0.3, 0.0, 0.62], [0.36, 0.6, 0.06], cloth);
+    let cloth = b.one_of(CLOTHS);
+    b.ellipsoid("saddle", [-0.3, 0.0, 0.62], [0.36, 0.6, 0.06], cloth);
     let grip = b.size.z * 0.018;
     b.pole("grip", [0.56, -0.75, 0.78], [0.56, 0.75, 0.78], grip, b.style.wood);
 }
 
 /// A ride-on spring toy with an animal or a flat cut-out of one.
 pub(super) fn spring_rider(b: &mut Build<'_>) {
-    let paint = b.choose(PAINTS);
+    let paint = b.one_of(PAINTS);
     let other = b.choose(&[YELLOW, WHITE, RED, GREEN]);
     let r = (b.size.y * 0.3).min(b.size.x * 0.2);
     b.slab("plate", [-0.3, -0.6, 0.0], [0.3, 0.6, 0.02], GALVANISED);
@@ -419,8 +419,8 @@ pub(super) fn spring_rider(b: &mut Build<'_>) {
         let edge = (y * 0.5 - 0.06, y * 0.5 + 0.06);
         let outline = [(-0.95, 0.42), (-0.6, 0.355), (0.5, 0.355), (0.8, 0.5), (0.95, 0.8), (0.75, 0.98), (0.45, 0.95)];
         let back = [(0.3, 0.62), (-0.3, 0.56), (-0.7, 0.68), (-0.95, 0.6)];
-        b.profile("side", edge, &[outline.as_slice(), &back].concat(), paint);
-        b.disc("eye", Axis::Y, [0.66, y * 0.57, 0.86], (b.size.z * 0.03, 0.006), WHITE);
+        b.side_outline("side", edge, &[outline.as_slice(), &back].concat(), paint);
+        b.wheel("eye", Axis::Y, [0.66, y * 0.57, 0.86], (b.size.z * 0.03, 0.006), WHITE);
     }
     b.pad("seat", [-0.62, -0.56, 0.52], [0.2, 0.56, 0.565], 0.01, other);
     b.pole("grip", [0.45, -0.95, 0.8], [0.45, 0.95, 0.8], 0.014, IRON);
@@ -429,14 +429,14 @@ pub(super) fn spring_rider(b: &mut Build<'_>) {
 
 /// The plump body of a duck or fish with a dip for the seat.
 fn mount_flat(b: &mut Build<'_>, paint: MaterialId, beak: MaterialId) {
-    b.blob("body", [-0.15, 0.0, 0.38], [0.83, 0.7, 0.2], paint);
-    b.blob("head", [0.5, 0.0, 0.78], [0.36, 0.55, 0.2], paint);
+    b.ellipsoid("body", [-0.15, 0.0, 0.38], [0.83, 0.7, 0.2], paint);
+    b.ellipsoid("head", [0.5, 0.0, 0.78], [0.36, 0.55, 0.2], paint);
     b.skin("neck", Axis::Z, &[([0.4, 0.0, 0.4], 0.25, 0.45), ([0.46, 0.0, 0.7], 0.22, 0.4)], paint);
-    b.blob("beak", [0.85, 0.0, 0.74], [0.15, 0.3, 0.05], beak);
+    b.ellipsoid("beak", [0.85, 0.0, 0.74], [0.15, 0.3, 0.05], beak);
     b.chunk("tail", &[[-0.7, 0.4, 0.44], [-0.7, -0.4, 0.44], [-1.0, 0.0, 0.7], [-0.8, 0.0, 0.3]], paint);
     b.pad("seat", [-0.55, -0.4, 0.54], [0.1, 0.4, 0.61], 0.01, beak);
     for y in SIDES {
-        b.blob("eye", [0.66, y * 0.42, 0.86], [0.07, 0.12, 0.04], BLACK);
+        b.ellipsoid("eye", [0.66, y * 0.42, 0.86], [0.07, 0.12, 0.04], BLACK);
     }
     b.pole("grip", [0.45, -1.05, 0.66], [0.45, 1.05, 0.66], 0.014, IRON);
     b.pole("footrest", [0.2, -1.05, 0.24], [0.2, 1.05, 0.24], 0.014, IRON);

@@ -1,7 +1,5 @@
 //! Indoor toys, prams, skates and scooters, and the playground behind the house.
 
-pub(super) mod kit;
-
 mod blocks;
 mod cuddly;
 mod figure;

@@ -2,24 +2,23 @@
 
 use vc_graph::portable::Portable;
 
-use super::kit::*;
 use crate::material::*;
-use crate::solid::{Axis, Build, rounded_between};
+use crate::solid::{Axis, Build, Proportional, SIDES, rounded_between};
 
 /// A spoked or solid wheel that stands on the floor.
 fn wheel(b: &mut Build<'_>, (x, y): (f32, f32), (r, w): (f32, f32), spoked: bool) {
     let at = [x, y, r / b.size.z];
     if spoked {
-        b.hoop("tyre", Axis::Y, at, (r - w / 2.0, w / 2.0), RUBBER);
+        b.torus("tyre", Axis::Y, at, (r - w / 2.0, w / 2.0), RUBBER);
         for turn in [0.0, std::f32::consts::FRAC_PI_4, std::f32::consts::FRAC_PI_2, 2.3562] {
             let (s, c) = turn.sine_cosine();
             let (dx, dz) = (c * (r - w) * 2.0 / b.size.x, s * (r - w) / b.size.z);
             b.pole("spoke", [x - dx, y, at[2] - dz], [x + dx, y, at[2] + dz], 0.0025, CHROME);
         }
-        b.disc("hub", Axis::Y, at, (w * 0.8, w * 1.2), CHROME);
+        b.wheel("hub", Axis::Y, at, (w * 0.8, w * 1.2), CHROME);
     } else {
-        b.disc("tyre", Axis::Y, at, (r, w), RUBBER);
-        b.disc("hub", Axis::Y, at, (r * 0.62, w * 1.1), GREY_PLASTIC);
+        b.wheel("tyre", Axis::Y, at, (r, w), RUBBER);
+        b.wheel("hub", Axis::Y, at, (r * 0.62, w * 1.1), GREY_PLASTIC);
     }
 }
 
@@ -111,7 +110,7 @@ fn basket(b: &mut Build<'_>, x: (f32, f32), y: f32, z: (f32, f32), mat: Material
     b.slab("basket_back", [x.0, -y + 2.0 * t, z.0 + 0.012], [x.0 + t, y - 2.0 * t, (z.1 * 0.9).max(z.0 + 0.05)], mat);
     b.slab("basket_front", [x.1 - t, -y + 2.0 * t, z.0 + 0.012], [x.1, y - 2.0 * t, (z.1 * 0.9).max(z.0 + 0.05)], mat);
     let middle = (x.0 + x.1) / 2.0;
-    b.hollow(
+    b.inner_floor(
         "basket",
         [middle, 0.0, z.0 + 0.012],
         ((x.1 - x.0) / 2.0 - 2.0 * t, y - 3.0 * t),
@@ -132,7 +131,7 @@ fn seat(b: &mut Build<'_>, cloth: MaterialId, trim: MaterialId, frame: MaterialI
         b.layer("strap", low, high, (0.025, 0.008), 0.045, BLACK_FABRIC);
         b.plank("side", [-0.55, y * 0.92, 0.56], [0.1, y * 0.92, 0.56], (0.014, b.size.z * 0.15), cloth);
     }
-    b.tube("bumper", &[[0.0, -0.94, 0.6], [0.3, -0.9, 0.64], [0.3, 0.9, 0.64], [0.0, 0.94, 0.6]], 0.014, frame);
+    b.bent_rod("bumper", &[[0.0, -0.94, 0.6], [0.3, -0.9, 0.64], [0.3, 0.9, 0.64], [0.0, 0.94, 0.6]], 0.014, frame);
     let (from, to) = (b.vary(0.75, 1.1), b.vary(2.4, 2.6));
     hood(b, (-0.42, 0.7), (0.42, 0.3), (-0.98, 0.98), (from, to), cloth);
 }
@@ -157,7 +156,7 @@ pub(super) fn pram(b: &mut Build<'_>) {
         let inner = y * (side - 0.12);
         b.pole("strut", [rear, inner, z], [ahead - 0.1, inner, 0.44], tube, frame);
         b.pole("strut", [ahead, inner, z], [rear + 0.1, inner, 0.44], tube, frame);
-        b.tube("handle", &[[-0.42, inner, 0.43], [-0.88, inner, 0.9], [-0.95, inner, 0.93]], tube, frame);
+        b.bent_rod("handle", &[[-0.42, inner, 0.43], [-0.88, inner, 0.9], [-0.95, inner, 0.93]], tube, frame);
     }
     b.pole("handle", [-0.95, -side + 0.14, 0.93], [-0.95, side - 0.14, 0.93], tube * 1.5, BLACK_PLASTIC);
     for x in [rear, ahead] {
@@ -168,10 +167,15 @@ pub(super) fn pram(b: &mut Build<'_>) {
     }
     let (low, rim, y) = (0.42, 0.68, 0.72);
     bassinet(b, (low, rim), y, cloth);
-    b.hollow("cot", [0.12, 0.0, low + 0.08], (0.5, y * 0.7), rim - low - 0.1);
+    b.inner_floor("cot", [0.12, 0.0, low + 0.08], (0.5, y * 0.7), rim - low - 0.1);
     b.pad("mattress", [-0.45, -y * 0.8, low + 0.03], [0.72, y * 0.8, low + 0.079], 0.01, lining);
     if b.rng.chance(0.6) {
-        b.plan("cover", (rim, rim + 0.025), &rounded_between((0.25, -y - 0.05), (0.98, y + 0.05), (0.2, 0.3)), cloth);
+        b.plan_outline(
+            "cover",
+            (rim, rim + 0.025),
+            &rounded_between((0.25, -y - 0.05), (0.98, y + 0.05), (0.2, 0.3)),
+            cloth,
+        );
     }
     hood(b, (-0.12, rim - 0.02), (0.62, 0.33), (-y - 0.03, y + 0.03), (1.2, 2.95), cloth);
 }

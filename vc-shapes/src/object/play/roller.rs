@@ -1,8 +1,8 @@
 //! Toys on wheels: boards, skates, scooters and small cycles.
 
-use super::kit::*;
 use crate::material::*;
-use crate::solid::{Axis, Build, CORNERS, arc_outline, band, rounded_between};
+use crate::object::palette::*;
+use crate::solid::{Axis, Build, CORNERS, Proportional, SIDES, arc_outline, band, rounded_between};
 
 /// A self-balancing board: two wheels, two foot plates, lamps.
 pub(super) fn hoverboard(b: &mut Build<'_>) {
@@ -11,19 +11,19 @@ pub(super) fn hoverboard(b: &mut Build<'_>) {
     let r = (b.size.z * 0.46).min(b.size.x * 0.48);
     let z = r / b.size.z;
     for y in SIDES {
-        b.disc("wheel", Axis::Y, [0.0, y * 0.88, z], (r, b.size.y * 0.11), RUBBER);
-        b.disc("hub", Axis::Y, [0.0, y * 0.89, z], (r * 0.6, b.size.y * 0.109), ALUMINIUM);
+        b.wheel("wheel", Axis::Y, [0.0, y * 0.88, z], (r, b.size.y * 0.11), RUBBER);
+        b.wheel("hub", Axis::Y, [0.0, y * 0.89, z], (r * 0.6, b.size.y * 0.109), ALUMINIUM);
         let guard: Vec<_> = arc_outline((0.0, z), (1.0, 1.0 - z), (0.15, 2.99), 9);
         let inner = arc_outline((0.0, z), (0.94, 0.94 - z), (2.99, 0.15), 9);
         let fender = [guard, inner].concat();
-        b.profile("fender", (y * 0.87 - 0.12, y * 0.87 + 0.12), &fender, case);
+        b.side_outline("fender", (y * 0.87 - 0.12, y * 0.87 + 0.12), &fender, case);
         let crown = z + (0.97 - z) * 0.95;
         b.slab("fender_plate", [-0.3, y * 0.765 - 0.02, z], [0.3, y * 0.765 + 0.02, crown], case);
         let (a, c) = ((y * 0.1).min(y * 0.8), (y * 0.1).max(y * 0.8));
         let shape =
             [(-0.7, z * 0.62), (0.7, z * 0.62), (0.86, z * 0.95), (0.7, z * 1.2), (-0.7, z * 1.2), (-0.86, z * 0.95)];
-        b.profile("deck", (a, c), &shape, case);
-        b.plan(
+        b.side_outline("deck", (a, c), &shape, case);
+        b.plan_outline(
             "tread",
             (z * 1.18, z * 1.25),
             &rounded_between((-0.6, y * 0.43 - 0.27), (0.6, y * 0.43 + 0.27), (0.12, 0.04)),
@@ -50,9 +50,9 @@ pub(super) fn skateboard(b: &mut Build<'_>) {
     ]
     .concat();
     if long {
-        b.plan("deck", (1.0 - 2.0 * t, 1.0 - t * 0.3), &outline, deck);
+        b.plan_outline("deck", (1.0 - 2.0 * t, 1.0 - t * 0.3), &outline, deck);
         let grip: Vec<_> = outline.iter().map(|&(x, y)| (x * 0.93, y * 0.97)).collect();
-        b.plan("grip", (1.0 - t, 1.0), &grip, CHARCOAL_FABRIC);
+        b.plan_outline("grip", (1.0 - t, 1.0), &grip, CHARCOAL_FABRIC);
     } else {
         b.slab("deck", [-1.0, -nose, lift - t], [1.0, nose, lift], deck);
         b.slab("grip", [-0.95, -nose, lift - t * 0.5], [0.95, nose, lift + 0.012], BLACK_FABRIC);
@@ -89,7 +89,7 @@ pub(super) fn skateboard(b: &mut Build<'_>) {
             ALUMINIUM,
         );
         for x in SIDES {
-            b.disc("wheel", Axis::X, [x * side, y, z], (r, 0.032), wheel);
+            b.wheel("wheel", Axis::X, [x * side, y, z], (r, 0.032), wheel);
         }
     }
 }
@@ -97,7 +97,7 @@ pub(super) fn skateboard(b: &mut Build<'_>) {
 /// A pair of skates, with four wheels in a row or in pairs.
 pub(super) fn skates(b: &mut Build<'_>) {
     let (boot, trim) =
-        (b.choose(&[BLACK_LEATHER, WHITE_LEATHER, BLUE_PLASTIC, PINK_PLASTIC, GREY_PLASTIC]), b.choose(BRIGHT));
+        (b.choose(&[BLACK_LEATHER, WHITE_LEATHER, BLUE_PLASTIC, PINK_PLASTIC, GREY_PLASTIC]), b.one_of(BRIGHT));
     let inline = b.rng.chance(0.5);
     for y in SIDES {
         let (low, high) = (y * 0.54 - 0.45, y * 0.54 + 0.45);
@@ -116,11 +116,11 @@ fn chassis(b: &mut Build<'_>, trim: MaterialId) {
     let r = (b.size.z * 0.11).min(b.size.x * 0.11);
     for i in 0..4 {
         let x = (-1.0 + (2.0 * r / b.size.x) * (1.0 + i as f32 * 2.0)).min(0.8);
-        b.disc("wheel", Axis::Y, [x * 0.96, 0.0, r / b.size.z], (r, b.size.y * 0.2), trim);
+        b.wheel("wheel", Axis::Y, [x * 0.96, 0.0, r / b.size.z], (r, b.size.y * 0.2), trim);
     }
     for y in SIDES {
         let side = (y * 0.22 - 0.06, y * 0.22 + 0.06);
-        b.profile("frame", side, &[(-0.8, 0.1), (0.7, 0.1), (0.8, 0.3), (-0.85, 0.3)], ALUMINIUM);
+        b.side_outline("frame", side, &[(-0.8, 0.1), (0.7, 0.1), (0.8, 0.3), (-0.85, 0.3)], ALUMINIUM);
     }
 }
 
@@ -128,7 +128,7 @@ fn trucks(b: &mut Build<'_>, trim: MaterialId) {
     let r = (b.size.z * 0.1).min(b.size.x * 0.11);
     b.slab("plate", [-0.85, -0.5, 0.24], [0.8, 0.5, 0.3], ALUMINIUM);
     for (x, y) in CORNERS {
-        b.disc("wheel", Axis::Y, [x * 0.55, y * 0.72, r / b.size.z], (r, b.size.y * 0.24), trim);
+        b.wheel("wheel", Axis::Y, [x * 0.55, y * 0.72, r / b.size.z], (r, b.size.y * 0.24), trim);
     }
     for x in [-0.55, 0.55] {
         b.pole("axle", [x, -0.8, r / b.size.z], [x, 0.8, r / b.size.z], r * 0.25, STEEL);
@@ -139,19 +139,19 @@ fn trucks(b: &mut Build<'_>, trim: MaterialId) {
 
 /// A kick scooter with two wheels, or three for small children.
 pub(super) fn kick_scooter(b: &mut Build<'_>) {
-    let (frame, trim) = (b.choose(&[ALUMINIUM, BLACK_METAL, BLUE_METAL, RED_METAL]), b.choose(BRIGHT));
+    let (frame, trim) = (b.choose(&[ALUMINIUM, BLACK_METAL, BLUE_METAL, RED_METAL]), b.one_of(BRIGHT));
     let r = (b.size.z * b.vary(0.08, 0.12)).min(b.size.x * 0.11);
     let (z, edge) = (r / b.size.z, 1.0 - 2.0 * r / b.size.x);
     let three = b.size.z < 0.85 && b.rng.chance(0.7);
-    b.disc("wheel", Axis::Y, [-edge, 0.0, z], (r, 0.026), trim);
+    b.wheel("wheel", Axis::Y, [-edge, 0.0, z], (r, 0.026), trim);
     if three {
         for y in SIDES {
-            b.disc("wheel", Axis::Y, [edge, y * 0.55, z], (r, 0.026), trim);
+            b.wheel("wheel", Axis::Y, [edge, y * 0.55, z], (r, 0.026), trim);
         }
         b.pole("axle", [edge, -0.55, z], [edge, 0.55, z], 0.012, frame);
         b.pole("bracket", [edge, 0.0, z], [edge - 0.07, 0.0, z * 1.35], 0.016, frame);
     } else {
-        b.disc("wheel", Axis::Y, [edge, 0.0, z], (r, 0.026), trim);
+        b.wheel("wheel", Axis::Y, [edge, 0.0, z], (r, 0.026), trim);
         b.pole("axle", [edge, -0.14, z], [edge, 0.14, z], 0.007, STEEL);
         for y in SIDES {
             b.plank("fork", [edge, y * 0.1, z], [edge - 0.09, y * 0.1, z * 2.4], (0.008, 0.02), frame);
@@ -166,12 +166,12 @@ pub(super) fn kick_scooter(b: &mut Build<'_>) {
         b.pole("grip", [edge - 0.205, y * 0.98, 0.975], [edge - 0.205, y * 0.64, 0.975], 0.018, RUBBER);
     }
     let guard = arc_outline((-edge, z), (1.0 - edge, z * 1.15), (1.2, 2.8), 6);
-    b.profile("mudguard", (-0.07, 0.07), &band(&guard, (0.0, 0.012)), trim);
+    b.side_outline("mudguard", (-0.07, 0.07), &band(&guard, (0.0, 0.012)), trim);
 }
 
 /// Saddle and handlebars of a child's cycle with their stems.
 fn cockpit(b: &mut Build<'_>, seat: (f32, f32), bar: (f32, f32), mat: MaterialId) {
-    let (r, grip) = (0.014, b.choose(BRIGHT));
+    let (r, grip) = (0.014, b.one_of(BRIGHT));
     let pad = [
         ([seat.0 - 0.2, 0.0, seat.1], 0.38, 0.03),
         ([seat.0, 0.0, seat.1 + 0.01], 0.34, 0.035),
@@ -193,11 +193,11 @@ pub(super) fn tricycle(b: &mut Build<'_>) {
     let (big, small) = ((b.size.z * 0.26).min(b.size.x * 0.22), (b.size.z * 0.18).min(b.size.x * 0.15));
     let (fz, bz) = (big / b.size.z, small / b.size.z);
     let (front, back) = (1.0 - 2.0 * big / b.size.x, 2.0 * small / b.size.x - 1.0);
-    b.disc("wheel", Axis::Y, [front, 0.0, fz], (big, 0.04), RUBBER);
-    b.disc("hub", Axis::Y, [front, 0.0, fz], (big * 0.7, 0.044), trim);
+    b.wheel("wheel", Axis::Y, [front, 0.0, fz], (big, 0.04), RUBBER);
+    b.wheel("hub", Axis::Y, [front, 0.0, fz], (big * 0.7, 0.044), trim);
     for y in SIDES {
-        b.disc("wheel", Axis::Y, [back, y * 0.88, bz], (small, 0.04), RUBBER);
-        b.disc("hub", Axis::Y, [back, y * 0.88, bz], (small * 0.7, 0.044), trim);
+        b.wheel("wheel", Axis::Y, [back, y * 0.88, bz], (small, 0.04), RUBBER);
+        b.wheel("hub", Axis::Y, [back, y * 0.88, bz], (small * 0.7, 0.044), trim);
         b.plank("fork", [front, y * 0.13, fz], [front - 0.16, y * 0.13, 0.66], (0.01, 0.025), frame);
         b.pole("crank", [front, 0.0, fz], [front, y * 0.42, fz], 0.009, STEEL);
         b.slab(
@@ -221,12 +221,12 @@ pub(super) fn tricycle(b: &mut Build<'_>) {
 /// A balance bike: two wheels, a low frame, no pedals.
 pub(super) fn balance_bike(b: &mut Build<'_>) {
     let wooden = b.rng.chance(0.4);
-    let frame = if wooden { b.choose(TOY_WOODS) } else { b.choose(&[RED_METAL, BLUE_METAL, WHITE_METAL, GREEN_METAL]) };
+    let frame = if wooden { b.one_of(TOY_WOODS) } else { b.choose(&[RED_METAL, BLUE_METAL, WHITE_METAL, GREEN_METAL]) };
     let r = (b.size.z * 0.28).min(b.size.x * 0.2);
     let (z, edge) = (r / b.size.z, 1.0 - 2.0 * r / b.size.x);
     for x in [-edge, edge] {
-        b.hoop("tyre", Axis::Y, [x, 0.0, z], (r * 0.86, r * 0.14), RUBBER);
-        b.disc("rim", Axis::Y, [x, 0.0, z], (r * 0.8, r * 0.1), if wooden { frame } else { WHITE_PLASTIC });
+        b.torus("tyre", Axis::Y, [x, 0.0, z], (r * 0.86, r * 0.14), RUBBER);
+        b.wheel("rim", Axis::Y, [x, 0.0, z], (r * 0.8, r * 0.1), if wooden { frame } else { WHITE_PLASTIC });
         b.pole("hub", [x, -0.18, z], [x, 0.18, z], r * 0.16, STEEL);
     }
     let head = edge - 0.28;

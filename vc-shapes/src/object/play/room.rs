@@ -4,9 +4,9 @@ use std::f32::consts::FRAC_PI_2;
 
 use vc_graph::portable::Portable;
 
-use super::kit::*;
 use crate::material::*;
-use crate::solid::{Axis, Build, CORNERS, arc_outline, oval_outline, rounded_between};
+use crate::object::palette::*;
+use crate::solid::{Axis, Build, CORNERS, Proportional, SIDES, arc_outline, oval_outline, rounded_between};
 
 /// A furnished dolls' house, open in front or closed by two wings.
 pub(super) fn dollhouse(b: &mut Build<'_>) {
@@ -29,7 +29,7 @@ pub(super) fn dollhouse(b: &mut Build<'_>) {
         b.slab("wall", [-0.92, -0.02, z], [front - 0.1, 0.02, z + pitch - 0.013], CREAM);
         for side in SIDES {
             let name = format!("room_{}", 2 * i + if side > 0.0 { 1 } else { 2 });
-            b.hollow(&name, [-0.08, side * 0.32, z], (0.62, 0.26), pitch * 0.85);
+            b.inner_floor(&name, [-0.08, side * 0.32, z], (0.62, 0.26), pitch * 0.85);
             let at = side * 0.72;
             furniture(b, (at, z), pitch, i);
             b.slab("window", [-0.99, at - 0.1, z + pitch * 0.35], [-0.9, at + 0.1, z + pitch * 0.75], GLASS);
@@ -76,7 +76,7 @@ fn shutter(b: &mut Build<'_>, side: f32, z: (f32, f32), floors: usize, wall: Mat
 
 /// A bed, a table or a stove of a dolls' house, against its outer wall.
 fn furniture(b: &mut Build<'_>, (y, z): (f32, f32), pitch: f32, kind: usize) {
-    let (h, mat) = (pitch * 0.3, b.choose(CLOTHS));
+    let (h, mat) = (pitch * 0.3, b.one_of(CLOTHS));
     let (low, high) = (y - 0.1, y + 0.1);
     match kind {
         0 => b.slab("stove", [-0.9, low, z], [-0.5, high, z + h * 1.2], WHITE),
@@ -90,7 +90,7 @@ fn furniture(b: &mut Build<'_>, (y, z): (f32, f32), pitch: f32, kind: usize) {
 
 /// A play kitchen: hob, sink, oven, cupboard and a back panel with a shelf.
 pub(super) fn kitchen(b: &mut Build<'_>) {
-    let (case, front) = (b.choose(&[WHITE, BIRCH, CREAM, SAGE, SKY]), b.choose(PAINTS));
+    let (case, front) = (b.choose(&[WHITE, BIRCH, CREAM, SAGE, SKY]), b.one_of(PAINTS));
     let (top, t) = (0.52, 0.03);
     for y in SIDES {
         b.slab("side", [-0.98, y * 0.96 - 0.03, 0.0], [0.85, y * 0.96 + 0.03, top], case);
@@ -100,7 +100,7 @@ pub(super) fn kitchen(b: &mut Build<'_>) {
     b.slab("back", [-0.98, -0.93, 0.04], [-0.93, 0.93, top], case);
     b.slab("worktop", [-1.0, -1.0, top], [0.95, 1.0, top + t], b.style.wood);
     for (name, y) in [("oven", -0.47), ("cupboard", 0.47)] {
-        b.hollow(name, [-0.05, y, 0.06], (0.75, 0.4), 0.42);
+        b.inner_floor(name, [-0.05, y, 0.06], (0.75, 0.4), 0.42);
         let (low, high, side) = (y - 0.44, y + 0.44, y.signum());
         let anchor = b.p([0.93, y + side * 0.44, 0.0]);
         let door = |b: &mut Build<'_>| {
@@ -116,12 +116,12 @@ pub(super) fn kitchen(b: &mut Build<'_>) {
     let r = (b.size.y * 0.1).min(b.size.x * 0.18);
     for x in [-0.45, 0.4] {
         b.pole("hob", [x, -0.55, z - 0.01], [x, -0.55, z + 0.006], r, BLACK_GLASS);
-        b.hoop("ring", Axis::Z, [x, -0.55, z + 0.006], (r * 0.6, 0.004), SIGNAL_RED);
+        b.torus("ring", Axis::Z, [x, -0.55, z + 0.006], (r * 0.6, 0.004), SIGNAL_RED);
     }
-    b.plan("sink", (z - 0.02, z + 0.004), &rounded_between((-0.6, 0.3), (0.6, 0.85), (0.1, 0.06)), STEEL);
-    b.plan("sink", (z, z + 0.006), &rounded_between((-0.5, 0.35), (0.5, 0.8), (0.1, 0.06)), GREY_PLASTIC);
+    b.plan_outline("sink", (z - 0.02, z + 0.004), &rounded_between((-0.6, 0.3), (0.6, 0.85), (0.1, 0.06)), STEEL);
+    b.plan_outline("sink", (z, z + 0.006), &rounded_between((-0.5, 0.35), (0.5, 0.8), (0.1, 0.06)), GREY_PLASTIC);
     let tap = [[-0.72, 0.57, z], [-0.72, 0.57, z + 0.1], [-0.3, 0.57, z + 0.1], [-0.25, 0.57, z + 0.07]];
-    b.tube("tap", &tap, b.size.z * 0.011, STEEL);
+    b.bent_rod("tap", &tap, b.size.z * 0.011, STEEL);
     b.deck("worktop", [0.55, -0.0, z], (0.1, 0.12));
     b.slab("back_panel", [-1.0, -0.98, z], [-0.92, 0.98, 1.0], case);
     b.slab("window", [-0.925, -0.3, z + 0.1], [-0.9, 0.3, z + 0.3], SKY);
@@ -129,19 +129,19 @@ pub(super) fn kitchen(b: &mut Build<'_>) {
     b.deck("shelf", [-0.6, 0.0, 0.94], (0.28, 0.9));
     for i in 0..4 {
         let y = -0.85 + 0.17 * i as f32;
-        b.disc("knob", Axis::X, [0.95, y, top + t * 0.5], (b.size.z * 0.012, b.size.x * 0.04), RED_PLASTIC);
+        b.wheel("knob", Axis::X, [0.95, y, top + t * 0.5], (b.size.z * 0.012, b.size.x * 0.04), RED_PLASTIC);
     }
 }
 
 /// A play tent: a teepee of poles and cloth, or a house of cloth.
 pub(super) fn tent(b: &mut Build<'_>) {
     let (cloth, trim) =
-        (b.choose(&[WHITE_COTTON, LINEN, BLUE_FABRIC, ROSE_FABRIC, GREEN_FABRIC, GREY_FABRIC]), b.choose(CLOTHS));
+        (b.choose(&[WHITE_COTTON, LINEN, BLUE_FABRIC, ROSE_FABRIC, GREEN_FABRIC, GREY_FABRIC]), b.one_of(CLOTHS));
     let teepee = b.rng.chance(0.6);
     let r = 0.012;
     let tie = if teepee { 0.84 } else { 0.995 };
-    b.plan("floor", (0.0, 0.008), &rounded_between((-0.947, -0.947), (0.947, 0.947), (0.05, 0.05)), trim);
-    b.hollow("floor", [0.0, 0.0, 0.008], (0.6, 0.6), 0.22);
+    b.plan_outline("floor", (0.0, 0.008), &rounded_between((-0.947, -0.947), (0.947, 0.947), (0.05, 0.05)), trim);
+    b.inner_floor("floor", [0.0, 0.0, 0.008], (0.6, 0.6), 0.22);
     let shoulder = |x: f32, y: f32| if teepee { [x * 0.06, y * 0.06, tie] } else { [x * 0.9, y * 0.9, 0.58] };
     for (i, (x, y)) in CORNERS.into_iter().enumerate() {
         let head = shoulder(x, y);
@@ -170,7 +170,7 @@ pub(super) fn tent(b: &mut Build<'_>) {
         }
         for x in SIDES {
             b.within([x * 0.9 - 0.01, -1.0, 0.0], [x * 0.9 + 0.01, 1.0, 1.0], |b| {
-                b.facing("gable", (-1.0, 1.0), &[(-0.9, 0.58), (0.9, 0.58), (0.0, 0.96)], cloth);
+                b.front_outline("gable", (-1.0, 1.0), &[(-0.9, 0.58), (0.9, 0.58), (0.0, 0.96)], cloth);
             });
         }
     }
@@ -228,17 +228,17 @@ pub(super) fn mat(b: &mut Build<'_>) {
                 );
             }
             for (x, y) in [(-0.1, -0.25), (0.0, 0.3), (-0.82, -0.1), (0.8, 0.75)] {
-                let (roof, half) = (b.choose(CLOTHS), b.vary(0.08, 0.13));
+                let (roof, half) = (b.one_of(CLOTHS), b.vary(0.08, 0.13));
                 b.slab("house", [x - half, y - half, h * 0.9], [x + half, y + half, 1.0 - 0.3 * (1.0 - h)], roof);
             }
         }
         _ => {
-            let (cloth, trim) = (b.choose(CLOTHS), b.choose(CLOTHS));
-            b.plan("mat", (0.0, h), &rounded_between((-1.0, -1.0), (1.0, 1.0), (0.2, 0.2)), cloth);
+            let (cloth, trim) = (b.one_of(CLOTHS), b.one_of(CLOTHS));
+            b.plan_outline("mat", (0.0, h), &rounded_between((-1.0, -1.0), (1.0, 1.0), (0.2, 0.2)), cloth);
             for (i, r) in [0.75, 0.5, 0.25].into_iter().enumerate() {
                 let z = h + (1.0 - h) * 0.3 * (i + 1) as f32;
                 let mat = if i == 1 { WHITE_COTTON } else { trim };
-                b.plan("ring", (h * (0.5 - 0.1 * i as f32), z), &oval_outline((0.0, 0.0), (r, r), 20), mat);
+                b.plan_outline("ring", (h * (0.5 - 0.1 * i as f32), z), &oval_outline((0.0, 0.0), (r, r), 20), mat);
             }
         }
     }
@@ -253,7 +253,7 @@ pub(super) fn playpen(b: &mut Build<'_>) {
     let (ix, iy) = (1.0 - 2.0 * r / b.size.x, 1.0 - 2.0 * r / b.size.y);
     let floor = if cot { 0.1 } else { 0.06 };
     b.pad("floor", [-ix, -iy, floor - 0.05], [ix, iy, floor], 0.01, b.style.accent);
-    b.hollow("floor", [0.0, 0.0, floor], (ix * 0.9, iy * 0.9), 0.85);
+    b.inner_floor("floor", [0.0, 0.0, floor], (ix * 0.9, iy * 0.9), 0.85);
     let rail = if cot { wood } else { b.style.upholstery };
     for (x, y) in CORNERS {
         b.pole("post", [x * ix, y * iy, 0.0], [x * ix, y * iy, 0.97], r, rail);
@@ -284,13 +284,13 @@ pub(super) fn playpen(b: &mut Build<'_>) {
 
 /// A baby walker: a seat in a ring on castors with a tray of toys in front.
 pub(super) fn walker(b: &mut Build<'_>) {
-    let (frame, cloth) = (b.choose(&[WHITE_PLASTIC, GREY_PLASTIC, BLUE_PLASTIC, PINK_PLASTIC]), b.choose(CLOTHS));
+    let (frame, cloth) = (b.choose(&[WHITE_PLASTIC, GREY_PLASTIC, BLUE_PLASTIC, PINK_PLASTIC]), b.one_of(CLOTHS));
     let r = b.size.x.min(b.size.y) / 2.0;
     (b.size.x, b.size.y) = (2.0 * r, 2.0 * r);
     let castor = (b.size.z * 0.05).min(r * 0.08);
     let ring = r * 0.07;
     let level = (castor * 1.4 + ring) / b.size.z;
-    b.hoop("base", Axis::Z, [0.0, 0.0, level], (r * 0.92, ring), frame);
+    b.torus("base", Axis::Z, [0.0, 0.0, level], (r * 0.92, ring), frame);
     for i in 0..6 {
         let (s, c) = (i as f32 * std::f32::consts::FRAC_PI_3 + std::f32::consts::FRAC_PI_6).sine_cosine();
         b.ball("castor", [r * 0.9 * c, r * 0.9 * s, castor], castor, BLACK_PLASTIC);
@@ -310,7 +310,7 @@ pub(super) fn walker(b: &mut Build<'_>) {
         cloth,
     );
     b.pad("backrest", [-0.62, -0.35, 0.76], [-0.44, 0.35, 1.0], 0.03, cloth);
-    b.plan("tray", (0.8, 0.845), &rounded_between((0.3, -0.62), (0.98, 0.62), (0.2, 0.2)), frame);
+    b.plan_outline("tray", (0.8, 0.845), &rounded_between((0.3, -0.62), (0.98, 0.62), (0.2, 0.2)), frame);
     for (i, y) in [-0.4, 0.0, 0.4].into_iter().enumerate() {
         let toy = b.p([0.66, y, 0.84]);
         b.ball("toy", [toy[0], toy[1], toy[2] + r * 0.05], r * 0.1, BRIGHT[i]);
@@ -323,18 +323,18 @@ pub(super) fn bouncer(b: &mut Build<'_>) {
     let r = 0.011;
     let (side, low) = (1.0 - 4.0 * r / b.size.y, 1.7 * r / b.size.z);
     for side in [side, -side] {
-        b.tube(
+        b.bent_rod(
             "frame",
             &[[-0.8, side, low], [0.7, side, low], [0.95, side * 0.9, 0.1 + low], [0.5, side * 0.8, 0.3]],
             r,
             STEEL,
         );
-        b.tube("frame", &[[0.5, side * 0.8, 0.3], [-0.2, side * 0.86, 0.4], [-0.93, side * 0.8, 0.94]], r, STEEL);
+        b.bent_rod("frame", &[[0.5, side * 0.8, 0.3], [-0.2, side * 0.86, 0.4], [-0.93, side * 0.8, 0.94]], r, STEEL);
     }
     for x in [-0.8, 0.6] {
         b.pole("crossbar", [x, -0.99, low], [x, 0.99, low], r, STEEL);
         for y in SIDES {
-            b.disc("foot", Axis::Y, [x, y * 0.8, low], (r * 1.7, 0.03), RUBBER);
+            b.wheel("foot", Axis::Y, [x, y * 0.8, low], (r * 1.7, 0.03), RUBBER);
         }
     }
     let seat = [
@@ -348,22 +348,22 @@ pub(super) fn bouncer(b: &mut Build<'_>) {
         (0.45, 0.42),
         (0.7, 0.45),
     ];
-    b.profile("seat", (-side * 0.82, side * 0.82), &seat, cloth);
+    b.side_outline("seat", (-side * 0.82, side * 0.82), &seat, cloth);
     b.plank("cushion", [-0.9, 0.0, 0.98], [-0.5, 0.0, 0.74], (b.size.y * 0.5, 0.03), trim);
     b.plank("belt", [0.35, 0.0, 0.44], [-0.1, 0.0, 0.52], (b.size.y * 0.2, 0.02), trim);
     let bow = arc_outline((0.0, 0.35), (side * 0.83, 0.47), (0.0, std::f32::consts::PI), 9);
     let bow: Vec<_> = bow.into_iter().map(|(y, z)| [0.15 + (z - 0.35) * 0.4, y, z]).collect();
-    b.tube("bow", &bow, r * 0.8, WHITE_PLASTIC);
+    b.bent_rod("bow", &bow, r * 0.8, WHITE_PLASTIC);
     for (i, k) in [3, 4, 5].into_iter().enumerate() {
         let at = bow[k];
-        b.blob("toy", [at[0], at[1], at[2] - 0.06], [0.07, 0.1, 0.055], BRIGHT[i + 1]);
+        b.ellipsoid("toy", [at[0], at[1], at[2] - 0.06], [0.07, 0.1, 0.055], BRIGHT[i + 1]);
     }
 }
 
 /// An easel with a blackboard on one side and a whiteboard on the other.
 pub(super) fn easel(b: &mut Build<'_>) {
     let wood = b.choose(&[PINE, BEECH, WHITE, BIRCH]);
-    let (t, drawing) = ((0.03 / b.size.y).min(0.2), b.choose(CARDS));
+    let (t, drawing) = ((0.03 / b.size.y).min(0.2), b.one_of(CARDS));
     let lean = |z: f32| 0.96 - 0.88 * z;
     for (x, y) in CORNERS {
         b.plank(
@@ -390,7 +390,7 @@ pub(super) fn easel(b: &mut Build<'_>) {
         let out = (0.006 * (1.0 + slope * slope).sqrt() + 0.002) * 2.0 / b.size.x;
         let line = |b: &mut Build<'_>, from: (f32, f32), to: (f32, f32)| {
             let at = |(y, z): (f32, f32)| [x * (lean(z) + out), y, z];
-            b.tube("line", &[at(from), at(to)], 0.004, chalk);
+            b.bent_rod("line", &[at(from), at(to)], 0.004, chalk);
         };
         let (base, eaves) = (0.52, 0.68);
         for pair in

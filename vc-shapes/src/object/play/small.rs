@@ -2,13 +2,13 @@
 
 use vc_graph::portable::Portable;
 
-use super::kit::*;
 use crate::material::*;
-use crate::solid::{Axis, Build, CORNERS, pitched, rounded_between};
+use crate::object::palette::*;
+use crate::solid::{Axis, Build, CORNERS, Proportional, SIDES, pitched, rounded_between};
 
 /// A free-standing spinning top on its tip: a humming top or a plain one.
 pub(super) fn top(b: &mut Build<'_>) {
-    let (paint, trim) = (b.choose(PAINTS), b.choose(PAINTS));
+    let (paint, trim) = (b.one_of(PAINTS), b.one_of(PAINTS));
     let (r, h) = (b.size.x.min(b.size.y) / 2.0, b.size.z);
     let waist = b.vary(0.35, 0.5);
     let low = [(0.0, 0.0), (r * 0.12, h * 0.06), (r * 0.7, h * (waist - 0.1)), (r, h * waist)];
@@ -23,7 +23,7 @@ pub(super) fn top(b: &mut Build<'_>) {
 
 /// A yo-yo: two discs on an axle with a string and its loop.
 pub(super) fn yo_yo(b: &mut Build<'_>) {
-    let (paint, cap) = (b.choose(BRIGHT), b.choose(&[YELLOW_PLASTIC, WHITE_PLASTIC, CHROME]));
+    let (paint, cap) = (b.one_of(BRIGHT), b.choose(&[YELLOW_PLASTIC, WHITE_PLASTIC, CHROME]));
     let (r, half) = (b.size.y.min(b.size.z) / 2.0, b.size.x / 2.0);
     let middle = [0.0, 0.0, r];
     for x in SIDES {
@@ -36,7 +36,7 @@ pub(super) fn yo_yo(b: &mut Build<'_>) {
 
 /// A rattle: a handle with a ball, rings or a drum full of beads.
 pub(super) fn rattle(b: &mut Build<'_>) {
-    let (paint, trim) = (b.choose(BRIGHT), b.choose(BRIGHT));
+    let (paint, trim) = (b.one_of(BRIGHT), b.one_of(BRIGHT));
     let r = b.size.x.min(b.size.y) / 2.0;
     let grip = r * 0.36;
     let (h, head) = (b.size.z, b.size.z - r);
@@ -57,21 +57,21 @@ pub(super) fn rattle(b: &mut Build<'_>) {
     }
     let out = 0.3 + grip / b.size.y;
     for (i, y) in [(0, out), (1, -out)] {
-        b.blob("ring", [0.0, y, 0.3 + 0.08 * i as f32], [0.5, 0.3, 0.04], BRIGHT[i]);
+        b.ellipsoid("ring", [0.0, y, 0.3 + 0.08 * i as f32], [0.5, 0.3, 0.04], BRIGHT[i]);
     }
 }
 
 /// A rubber duck.
 pub(super) fn duck(b: &mut Build<'_>) {
     let coat = b.choose(&[YELLOW_PLASTIC, YELLOW_PLASTIC, PINK_PLASTIC, BLUE_PLASTIC]);
-    b.blob("body", [-0.1, 0.0, 0.28], [0.85, 0.98, 0.28], coat);
+    b.ellipsoid("body", [-0.1, 0.0, 0.28], [0.85, 0.98, 0.28], coat);
     b.pad("base", [-0.5, -0.42, 0.0], [0.35, 0.42, 0.08], 0.002, coat);
     b.chunk("tail", &[[-0.6, 0.4, 0.3], [-0.6, -0.4, 0.3], [-0.7, 0.0, 0.15], [-1.0, 0.0, 0.56]], coat);
-    b.blob("head", [0.35, 0.0, 0.74], [0.46, 0.52, 0.26], coat);
-    b.blob("bill", [0.83, 0.0, 0.68], [0.17, 0.26, 0.05], ORANGE_PLASTIC);
+    b.ellipsoid("head", [0.35, 0.0, 0.74], [0.46, 0.52, 0.26], coat);
+    b.ellipsoid("bill", [0.83, 0.0, 0.68], [0.17, 0.26, 0.05], ORANGE_PLASTIC);
     for y in SIDES {
-        b.blob("wing", [-0.2, y * 0.85, 0.34], [0.45, 0.13, 0.15], coat);
-        b.blob("eye", [0.66, y * 0.28, 0.82], [0.09, 0.1, 0.05], BLACK_PLASTIC);
+        b.ellipsoid("wing", [-0.2, y * 0.85, 0.34], [0.45, 0.13, 0.15], coat);
+        b.ellipsoid("eye", [0.66, y * 0.28, 0.82], [0.09, 0.1, 0.05], BLACK_PLASTIC);
     }
 }
 
@@ -91,7 +91,7 @@ pub(super) fn dough(b: &mut Build<'_>) {
 
 /// A toy telephone: a dial telephone with a face, or a mobile phone.
 pub(super) fn phone(b: &mut Build<'_>) {
-    let (paint, trim) = (b.choose(BRIGHT), b.choose(&[WHITE_PLASTIC, YELLOW_PLASTIC, RED_PLASTIC]));
+    let (paint, trim) = (b.one_of(BRIGHT), b.choose(&[WHITE_PLASTIC, YELLOW_PLASTIC, RED_PLASTIC]));
     let flat = b.size.z / b.size.x < 0.45;
     if flat {
         b.pad("case", [-0.98, -0.98, 0.0], [0.98, 0.98, 0.9], b.size.z * 0.4, paint);
@@ -104,9 +104,9 @@ pub(super) fn phone(b: &mut Build<'_>) {
     }
     let wheel = b.size.z * 0.14;
     let base = [(-0.9, 0.14), (0.95, 0.14), (0.95, 0.3), (-0.2, 0.72), (-0.9, 0.72)];
-    b.profile("case", (-0.72, 0.72), &base, paint);
+    b.side_outline("case", (-0.72, 0.72), &base, paint);
     for (x, y) in CORNERS {
-        b.disc("wheel", Axis::Y, [x * 0.6, y * 0.8, 0.14], (wheel.min(b.size.x * 0.18), b.size.y * 0.1), trim);
+        b.wheel("wheel", Axis::Y, [x * 0.6, y * 0.8, 0.14], (wheel.min(b.size.x * 0.18), b.size.y * 0.1), trim);
     }
     b.posed(pitched(b.p([0.4, 0.0, 0.5]), 0.62), |b| {
         let r = b.size.y.min(b.size.x) * 0.2;
@@ -119,16 +119,16 @@ pub(super) fn phone(b: &mut Build<'_>) {
     b.slab("cradle", [-0.75, -0.35, 0.7], [-0.35, 0.35, 0.82], paint);
     b.pole("handset", [-0.55, -0.8, 0.87], [-0.55, 0.8, 0.87], b.size.z * 0.06, trim);
     for y in SIDES {
-        b.blob("earpiece", [-0.55, y * 0.8, 0.86], [0.3, 0.2, 0.14], trim);
+        b.ellipsoid("earpiece", [-0.55, y * 0.8, 0.86], [0.3, 0.2, 0.14], trim);
     }
 }
 
 /// A toy teapot with cups on a tray.
 pub(super) fn tea_set(b: &mut Build<'_>) {
-    let (pot, trim) = (b.choose(&[PORCELAIN, PINK_PLASTIC, BLUE_PLASTIC, BEECH, WHITE_PLASTIC]), b.choose(PAINTS));
+    let (pot, trim) = (b.choose(&[PORCELAIN, PINK_PLASTIC, BLUE_PLASTIC, BEECH, WHITE_PLASTIC]), b.one_of(PAINTS));
     let r = (b.size.x * 0.225).min(b.size.y * 0.2);
     let h = b.size.z;
-    b.plan("tray", (0.0, 0.05), &rounded_between((-1.0, -1.0), (1.0, 1.0), (0.15, 0.15)), trim);
+    b.plan_outline("tray", (0.0, 0.05), &rounded_between((-1.0, -1.0), (1.0, 1.0), (0.15, 0.15)), trim);
     let at = b.p([-0.3, 0.0, 0.045]);
     let body = [(r * 0.6, 0.0), (r * 0.95, h * 0.2), (r, h * 0.4), (r * 0.6, h * 0.65), (r * 0.4, h * 0.7)];
     b.lathe("teapot", at, &body, pot);
@@ -154,21 +154,21 @@ fn cup(b: &mut Build<'_>, at: [f32; 3], (r, h): (f32, f32), (mat, trim): (Materi
 
 /// A toy tool box with hammer, saw and spanner.
 pub(super) fn tool_set(b: &mut Build<'_>) {
-    let (case, tool) = (b.choose(&[RED_PLASTIC, BLUE_PLASTIC, YELLOW_PLASTIC, BEECH]), b.choose(BRIGHT));
+    let (case, tool) = (b.choose(&[RED_PLASTIC, BLUE_PLASTIC, YELLOW_PLASTIC, BEECH]), b.one_of(BRIGHT));
     let tall = 0.5;
     b.slab("bottom", [-0.95, -0.95, 0.0], [0.95, 0.95, 0.06], case);
     for s in SIDES {
         b.slab("wall", [s * 0.9 - 0.07, -0.95, 0.06], [s * 0.9 + 0.07, 0.95, tall], case);
         let gable = [(-0.83, 0.06), (0.83, 0.06), (0.83, tall), (0.2, 0.98), (-0.2, 0.98), (-0.83, tall)];
         b.within([-1.0, s * 0.92 - 0.05, 0.0], [1.0, s * 0.92 + 0.05, 1.0], |b| {
-            b.profile("gable", (-1.0, 1.0), &gable, case)
+            b.side_outline("gable", (-1.0, 1.0), &gable, case)
         });
     }
     b.pole("handle", [0.0, -0.93, 0.9], [0.0, 0.93, 0.9], b.size.z * 0.06, BEECH);
     let r = b.size.z * 0.05;
     b.pole("hammer", [0.45, -0.55, 0.04], [0.45, -0.4, 0.8], r, BEECH);
     b.slab("hammer", [0.2, -0.52, 0.72], [0.75, -0.28, 0.86], tool);
-    b.profile("saw", (0.25, 0.29), &[(-0.6, 0.05), (-0.3, 0.05), (-0.25, 0.7), (-0.65, 0.7)], STEEL);
+    b.side_outline("saw", (0.25, 0.29), &[(-0.6, 0.05), (-0.3, 0.05), (-0.25, 0.7), (-0.65, 0.7)], STEEL);
     b.pad("saw", [-0.72, 0.18, 0.66], [-0.18, 0.36, 0.86], 0.004, BRIGHT[2]);
     b.pole("screwdriver", [0.45, 0.5, 0.05], [0.45, 0.5, 0.6], r * 0.5, STEEL);
     b.pole("screwdriver", [0.45, 0.5, 0.5], [0.45, 0.5, 0.84], r * 1.3, BRIGHT[3]);
@@ -178,22 +178,22 @@ pub(super) fn tool_set(b: &mut Build<'_>) {
 
 /// A water pistol or a long pump gun with a tank.
 pub(super) fn water_gun(b: &mut Build<'_>) {
-    let (paint, trim) = (b.choose(BRIGHT), b.choose(BRIGHT));
+    let (paint, trim) = (b.one_of(BRIGHT), b.one_of(BRIGHT));
     let long = b.size.x > b.size.z * 1.6;
     let barrel = (b.size.z * 0.11).min(b.size.y * 0.3);
     let grip = if long { (-0.55, -0.2) } else { (-0.85, -0.25) };
-    b.profile(
+    b.side_outline(
         "grip",
         (-0.5, 0.5),
         &[(grip.0 - 0.1, 0.0), (grip.1 - 0.1, 0.0), (grip.1 + 0.05, 0.5), (grip.0 + 0.05, 0.5)],
         paint,
     );
     let body = [(-0.95, 0.5), (0.4, 0.45), (0.5, 0.55), (0.45, 0.72), (-0.9, 0.74)];
-    b.profile("body", (-0.7, 0.7), &body, paint);
+    b.side_outline("body", (-0.7, 0.7), &body, paint);
     b.pole("barrel", [0.4, 0.0, 0.6], [0.92, 0.0, 0.6], barrel, trim);
     b.pole("nozzle", [0.9, 0.0, 0.6], [1.0, 0.0, 0.6], barrel * 0.6, ORANGE_PLASTIC);
-    b.blob("tank", [-0.25, 0.0, 0.84], [0.5, 0.9, 0.155], CLEAR_PLASTIC);
-    b.hoop("trigger_guard", Axis::Y, [grip.1 + 0.12, 0.0, 0.42], (b.size.z * 0.09, b.size.z * 0.018), paint);
+    b.ellipsoid("tank", [-0.25, 0.0, 0.84], [0.5, 0.9, 0.155], CLEAR_PLASTIC);
+    b.torus("trigger_guard", Axis::Y, [grip.1 + 0.12, 0.0, 0.42], (b.size.z * 0.09, b.size.z * 0.018), paint);
     b.slab("trigger", [grip.1 + 0.06, -0.12, 0.36], [grip.1 + 0.14, 0.12, 0.5], trim);
     if long {
         b.pole("pump", [0.3, 0.0, 0.36], [0.72, 0.0, 0.36], barrel * 1.2, trim);
@@ -203,7 +203,7 @@ pub(super) fn water_gun(b: &mut Build<'_>) {
 
 /// A bottle of soap bubbles with its ring.
 pub(super) fn bubble_wand(b: &mut Build<'_>) {
-    let (paint, trim) = (b.choose(BRIGHT), b.choose(BRIGHT));
+    let (paint, trim) = (b.one_of(BRIGHT), b.one_of(BRIGHT));
     let (r, h) = (b.size.x.min(b.size.y) / 2.0, b.size.z);
     let body = (0.45 * h).max(h - r * 6.0).min(h * 0.7);
     b.lathe(
@@ -216,30 +216,30 @@ pub(super) fn bubble_wand(b: &mut Build<'_>) {
     b.cylinder("cap", [0.0, 0.0, body * 0.98], r * 0.7, h * 0.08, trim);
     b.cylinder("stick", [0.0, 0.0, body], r * 0.15, h - body - r * 1.5, trim);
     let ring = (r * 0.75, r * 0.13);
-    b.hoop("ring", Axis::X, [0.0, 0.0, 1.0 - (ring.0 + ring.1) / h], ring, trim);
+    b.torus("ring", Axis::X, [0.0, 0.0, 1.0 - (ring.0 + ring.1) / h], ring, trim);
 }
 
 /// A diamond kite on its spars, with bows on its tail.
 pub(super) fn kite(b: &mut Build<'_>) {
-    let (a, c) = (b.choose(CLOTHS), b.choose(CLOTHS));
+    let (a, c) = (b.one_of(CLOTHS), b.one_of(CLOTHS));
     let (r, cross) = ((b.size.x * 0.15).min(0.004), 0.68);
     let quarter = |y: f32, z: f32| [(0.0, cross), (y * 0.98, cross), (0.0, z)];
     for (y, z, mat) in [(1.0, 0.995, a), (-1.0, 0.995, c), (1.0, 0.18, c), (-1.0, 0.18, a)] {
-        b.facing("sail", (0.0, 0.12), &quarter(y, z), mat);
+        b.front_outline("sail", (0.0, 0.12), &quarter(y, z), mat);
     }
     b.pole("spar", [-0.1, 0.0, 0.15], [-0.1, 0.0, 0.99], r, BEECH);
     b.pole("spar", [-0.1, -0.97, cross], [-0.1, 0.97, cross], r, BEECH);
     let tail: Vec<_> = (0..5).map(|i| [0.0, if i % 2 == 0 { 0.04 } else { -0.04 }, 0.19 - 0.045 * i as f32]).collect();
-    b.tube("tail", &tail, r * 0.6, WHITE_COTTON);
+    b.bent_rod("tail", &tail, r * 0.6, WHITE_COTTON);
     for (i, at) in tail.iter().enumerate().skip(1) {
-        b.blob("bow", [0.0, at[1], at[2] + 0.005], [0.4, 0.07, 0.013], CLOTHS[i]);
+        b.ellipsoid("bow", [0.0, at[1], at[2] + 0.005], [0.4, 0.07, 0.013], CLOTHS[i]);
     }
     b.pad("reel", [-0.5, -0.07, 0.0], [0.5, 0.07, 0.05], 0.01, b.style.wood);
 }
 
 /// A bucket for sand with a handle.
 pub(super) fn bucket(b: &mut Build<'_>) {
-    let (paint, trim) = (b.choose(BRIGHT), b.choose(BRIGHT));
+    let (paint, trim) = (b.one_of(BRIGHT), b.one_of(BRIGHT));
     let (r, h) = (b.size.x.min(b.size.y) / 2.0, b.size.z);
     (b.size.x, b.size.y) = (2.0 * r, 2.0 * r);
     let (foot, lip, t) = (r * b.vary(0.62, 0.72), r * 0.94, 0.003_f32.min(r * 0.1));
@@ -248,7 +248,7 @@ pub(super) fn bucket(b: &mut Build<'_>) {
     b.inside("inside", [0.0, 0.0, t], ((foot - t) * 0.68, (foot - t) * 0.68), h * 0.9);
     let bow = (0..9).map(|i| (i as f32 * std::f32::consts::PI / 8.0).sine_cosine());
     let down: Vec<_> = bow.map(|(s, c)| [0.97 * s, 0.97 * c, 0.98 - 0.48 * s]).collect();
-    b.tube("handle", &down, r * 0.03, trim);
+    b.bent_rod("handle", &down, r * 0.03, trim);
     for i in 0..4 {
         let (s, c) = (i as f32 * std::f32::consts::FRAC_PI_2 + 0.5).sine_cosine();
         let out = (foot + lip) / 2.0;
@@ -258,9 +258,9 @@ pub(super) fn bucket(b: &mut Build<'_>) {
 
 /// A sand spade standing on its blade, in the leaning pose.
 pub(super) fn shovel(b: &mut Build<'_>) {
-    let (paint, shaft) = (b.choose(BRIGHT), b.choose(&[BEECH, YELLOW_PLASTIC, RED_PLASTIC]));
+    let (paint, shaft) = (b.one_of(BRIGHT), b.choose(&[BEECH, YELLOW_PLASTIC, RED_PLASTIC]));
     let blade = [(-0.7, 0.36), (-0.95, 0.3), (-0.85, 0.1), (0.0, 0.0), (0.85, 0.1), (0.95, 0.3), (0.7, 0.36)];
-    b.facing("blade", (-0.3, 0.0), &blade, paint);
+    b.front_outline("blade", (-0.3, 0.0), &blade, paint);
     for y in SIDES {
         b.chunk(
             "side",
@@ -285,5 +285,5 @@ pub(super) fn shovel(b: &mut Build<'_>) {
         [-0.15, -0.6, 0.9],
         [-0.15, 0.0, 0.82],
     ];
-    b.tube("grip", &grip, r * 0.8, paint);
+    b.bent_rod("grip", &grip, r * 0.8, paint);
 }

@@ -1,8 +1,8 @@
 //! Toy cars, trucks, trains, planes and boats, and ride-on cars.
 
-use super::kit::*;
 use crate::material::*;
-use crate::solid::{Axis, Build, arc_outline, pitched};
+use crate::object::palette::*;
+use crate::solid::{Axis, Build, Proportional, SIDES, arc_outline, pitched};
 
 /// Four wheels whose treads touch the floor and whose outer faces touch the sides.
 fn wheels(b: &mut Build<'_>, axles: (f32, f32), radius: f32, width: f32, hub: MaterialId) {
@@ -12,15 +12,15 @@ fn wheels(b: &mut Build<'_>, axles: (f32, f32), radius: f32, width: f32, hub: Ma
         b.pole("axle", [x, -side, z], [x, side, z], radius * 0.2, IRON);
     }
     for (x, y) in [axles.0, axles.1].into_iter().flat_map(|x| SIDES.map(|y| (x, y))) {
-        b.disc("wheel", Axis::Y, [x, y * (side - 0.01), z], (radius, width * 0.96), RUBBER);
-        b.disc("hub", Axis::Y, [x, y * side, z], (radius * 0.55, width), hub);
+        b.wheel("wheel", Axis::Y, [x, y * (side - 0.01), z], (radius, width * 0.96), RUBBER);
+        b.wheel("hub", Axis::Y, [x, y * side, z], (radius * 0.55, width), hub);
     }
 }
 
 /// A toy car or a remote-controlled one: saloon, racing car, off-roader, bubble car.
 pub(super) fn car(b: &mut Build<'_>) {
     let remote = b.class == "rc_car";
-    let paint = if b.rng.chance(0.25) && !remote { b.choose(TOY_WOODS) } else { b.choose(BRIGHT) };
+    let paint = if b.rng.chance(0.25) && !remote { b.one_of(TOY_WOODS) } else { b.one_of(BRIGHT) };
     let share = if remote { 0.3 } else { b.vary(0.19, 0.24) };
     let r = (b.size.z * share).min(b.size.x * 0.16);
     let width = (b.size.y * 0.2).min(r * 1.2);
@@ -54,7 +54,7 @@ fn shell(b: &mut Build<'_>, sill: f32, y: f32, (paint, fall): (MaterialId, f32),
         (-0.9, waist),
         (-0.98, waist - 0.06),
     ];
-    b.profile("body", (-y, y), &body, paint);
+    b.side_outline("body", (-y, y), &body, paint);
     let [a, c, d, e] = cabin;
     let (low, high) = (waist - 0.01, 0.97);
     let glass = |y0: f32, y1: f32| {
@@ -71,7 +71,7 @@ fn shell(b: &mut Build<'_>, sill: f32, y: f32, (paint, fall): (MaterialId, f32),
     }
     let lamp = b.size.z * 0.07;
     for side in SIDES {
-        b.disc("headlamp", Axis::X, [0.97, side * y * 0.7, nose - 0.14], (lamp, b.size.x * 0.01), WARM_BULB);
+        b.wheel("headlamp", Axis::X, [0.97, side * y * 0.7, nose - 0.14], (lamp, b.size.x * 0.01), WARM_BULB);
         b.slab(
             "rear_lamp",
             [-0.99, side * y * 0.7 - 0.1, waist - 0.16],
@@ -84,11 +84,11 @@ fn shell(b: &mut Build<'_>, sill: f32, y: f32, (paint, fall): (MaterialId, f32),
 
 /// An open racing car with wings and a number.
 fn racer(b: &mut Build<'_>, sill: f32, y: f32, paint: MaterialId) {
-    let trim = b.choose(BRIGHT);
+    let trim = b.one_of(BRIGHT);
     let body = [(-0.9, sill), (0.9, sill), (0.98, sill + 0.1), (0.3, sill + 0.28), (-0.1, 0.62), (-0.9, 0.68)];
-    b.profile("body", (-y * 0.6, y * 0.6), &body, paint);
-    b.profile("flank", (-y, y), &[(-0.45, sill + 0.02), (0.2, sill + 0.02), (0.1, 0.48), (-0.4, 0.54)], trim);
-    b.blob("driver", [-0.15, 0.0, 0.72], [0.14, y * 0.34, 0.17], trim);
+    b.side_outline("body", (-y * 0.6, y * 0.6), &body, paint);
+    b.side_outline("flank", (-y, y), &[(-0.45, sill + 0.02), (0.2, sill + 0.02), (0.1, 0.48), (-0.4, 0.54)], trim);
+    b.ellipsoid("driver", [-0.15, 0.0, 0.72], [0.14, y * 0.34, 0.17], trim);
     b.slab("visor", [-0.06, -y * 0.26, 0.72], [0.0, y * 0.26, 0.8], BLACK_GLASS);
     b.slab("wing", [-0.98, -0.9, 0.88], [-0.7, 0.9, 0.94], trim);
     for s in SIDES {
@@ -99,7 +99,7 @@ fn racer(b: &mut Build<'_>, sill: f32, y: f32, paint: MaterialId) {
 
 /// A ride-on car in which a child sits inside or astride.
 pub(super) fn ride_on(b: &mut Build<'_>) {
-    let (paint, trim) = (b.choose(BRIGHT), b.choose(&[BLACK_PLASTIC, WHITE_PLASTIC, YELLOW_PLASTIC]));
+    let (paint, trim) = (b.one_of(BRIGHT), b.choose(&[BLACK_PLASTIC, WHITE_PLASTIC, YELLOW_PLASTIC]));
     let r = (b.size.z * 0.24).min(b.size.x * 0.16);
     wheels(b, (-0.58, 0.58), r, (b.size.y * 0.2).min(r * 0.9), trim);
     let sill = r / b.size.z * 0.7;
@@ -116,13 +116,13 @@ pub(super) fn ride_on(b: &mut Build<'_>) {
         (-0.55, high),
         (-0.9, high - 0.05),
     ];
-    b.profile("body", (-0.78, 0.78), &side, paint);
+    b.side_outline("body", (-0.78, 0.78), &side, paint);
     b.pad("seat", [-0.46, -0.5, 0.4], [0.05, 0.5, 0.47], 0.015, trim);
     b.pad("backrest", [-0.62, -0.5, 0.42], [-0.48, 0.5, 0.95], 0.02, trim);
     b.pole("column", [0.4, 0.0, high - 0.08], [0.2, 0.0, 0.86], 0.012, BLACK_PLASTIC);
     b.posed(pitched(b.p([0.19, 0.0, 0.87]), -0.7), |b| {
         let wheel = (b.size.y * 0.22).min(b.size.z * 0.15);
-        b.hoop("steering_wheel", Axis::Z, [0.0; 3], (wheel * 0.85, wheel * 0.1), BLACK_PLASTIC);
+        b.torus("steering_wheel", Axis::Z, [0.0; 3], (wheel * 0.85, wheel * 0.1), BLACK_PLASTIC);
         b.slab("spoke", [-0.02, -0.36, -0.012], [0.02, 0.36, 0.012], BLACK_PLASTIC);
     });
     if b.rng.chance(0.5) {
@@ -146,14 +146,14 @@ pub(super) fn ride_on(b: &mut Build<'_>) {
         b.pole("push_bar", [-0.95, 0.55, 0.97], [-0.95, -0.55, 0.97], 0.012, trim);
     }
     for y in SIDES {
-        b.blob("headlamp", [0.9, y * 0.5, high - 0.17], [0.08, 0.14, 0.06], WARM_BULB);
+        b.ellipsoid("headlamp", [0.9, y * 0.5, high - 0.17], [0.08, 0.14, 0.06], WARM_BULB);
     }
     b.slab("grille", [0.93, -0.3, sill + 0.1], [1.0, 0.3, sill + 0.22], CHROME);
 }
 
 /// A toy lorry with a tipping bed.
 pub(super) fn truck(b: &mut Build<'_>) {
-    let (cab, bed) = (b.choose(BRIGHT), b.choose(&[YELLOW_PLASTIC, GREY_PLASTIC, RED_PLASTIC, GREEN_PLASTIC, BEECH]));
+    let (cab, bed) = (b.one_of(BRIGHT), b.choose(&[YELLOW_PLASTIC, GREY_PLASTIC, RED_PLASTIC, GREEN_PLASTIC, BEECH]));
     let r = (b.size.z * 0.17).min(b.size.x * 0.12);
     let hub = b.choose(&[YELLOW_PLASTIC, WHITE_PLASTIC, CHROME]);
     wheels(b, (-0.55, 0.62), r, b.size.y * 0.2, hub);
@@ -161,11 +161,11 @@ pub(super) fn truck(b: &mut Build<'_>) {
     b.slab("chassis", [-0.9, -0.6, axle * 0.9], [0.97, 0.6, axle * 1.9], BLACK_PLASTIC);
     let base = axle * 1.85;
     let front = [(0.42, base), (0.98, base), (1.0, 0.6), (0.88, 0.62), (0.8, 0.99), (0.42, 0.99)];
-    b.profile("cab", (-0.86, 0.86), &front, cab);
+    b.side_outline("cab", (-0.86, 0.86), &front, cab);
     b.plank("windscreen", [0.88, 0.0, 0.65], [0.815, 0.0, 0.94], (b.size.y * 0.76, b.size.x * 0.008), BLACK_GLASS);
     for y in SIDES {
         b.slab("window", [0.5, y * 0.865 - 0.01, 0.66], [0.76, y * 0.865 + 0.01, 0.92], BLACK_GLASS);
-        b.disc("headlamp", Axis::X, [0.995, y * 0.6, base + 0.12], (b.size.z * 0.04, b.size.x * 0.01), WARM_BULB);
+        b.wheel("headlamp", Axis::X, [0.995, y * 0.6, base + 0.12], (b.size.z * 0.04, b.size.x * 0.01), WARM_BULB);
     }
     let floor = axle * 1.87;
     let anchor = b.p([-0.85, 0.0, floor]);
@@ -176,7 +176,7 @@ pub(super) fn truck(b: &mut Build<'_>) {
         }
         b.slab("bed_front", [0.3, -0.82, floor + 0.05], [0.36, 0.82, 0.95], bed);
         b.slab("bed_rear", [-0.98, -0.82, floor + 0.05], [-0.92, 0.82, 0.75], bed);
-        b.hollow("bed", [-0.31, 0.0, floor + 0.05], (0.58, 0.78), 0.8 - floor);
+        b.inner_floor("bed", [-0.31, 0.0, floor + 0.05], (0.58, 0.78), 0.8 - floor);
     });
 }
 
@@ -197,7 +197,7 @@ pub(super) fn train(b: &mut Build<'_>) {
                 b.size.z * 0.04,
                 IRON,
             );
-            let load = b.choose(PAINTS);
+            let load = b.one_of(PAINTS);
             b.within([low, -1.0, 0.0], [high, 1.0, 1.0], |b| wagon(b, load));
         } else {
             b.within([low, -1.0, 0.0], [high, 1.0, 1.0], |b| engine(b, paint, trim));
@@ -214,7 +214,7 @@ fn engine(b: &mut Build<'_>, paint: MaterialId, trim: MaterialId) {
     let base = [b.size.x * 0.31, 0.0, b.size.z * 0.53 + r * 0.9];
     let (w, h) = (r * 0.5, b.size.z * 0.995 - base[2]);
     b.lathe("funnel", base, &[(w * 0.6, 0.0), (w * 0.6, h * 0.5), (w, h)], trim);
-    b.blob("dome", [0.15, 0.0, 0.76], [0.16, 0.34, 0.1], trim);
+    b.ellipsoid("dome", [0.15, 0.0, 0.76], [0.16, 0.34, 0.1], trim);
     b.slab("cab", [-0.92, -0.85, 0.28], [-0.3, 0.85, 0.88], paint);
     b.slab("cab_roof", [-0.99, -0.98, 0.88], [-0.24, 0.98, 0.95], trim);
     for y in SIDES {
@@ -251,7 +251,7 @@ fn wagon(b: &mut Build<'_>, paint: MaterialId) {
 
 /// A ring of wooden track with a bridge, signals and, if the height allows it, a train.
 pub(super) fn track(b: &mut Build<'_>) {
-    let wood = b.choose(TOY_WOODS);
+    let wood = b.one_of(TOY_WOODS);
     let gauge = (b.size.x.min(b.size.y) * 0.08).clamp(0.01, 0.05);
     let (gx, gy) = (2.0 * gauge / b.size.x, 2.0 * gauge / b.size.y);
     let thick = (0.012 / b.size.z).min(0.9);
@@ -267,9 +267,9 @@ pub(super) fn track(b: &mut Build<'_>) {
             )
         };
         let ring = |a: f32, c: f32| round(a).into_iter().chain(round(c).into_iter().rev()).collect::<Vec<_>>();
-        b.plan("bend", (0.0, thick), &ring(0.0, 1.0), wood);
+        b.plan_outline("bend", (0.0, thick), &ring(0.0, 1.0), wood);
         for groove in [0.22, 0.68] {
-            b.plan("groove", (thick * 0.6, thick * 1.1), &ring(groove, groove + 0.1), WALNUT);
+            b.plan_outline("groove", (thick * 0.6, thick * 1.1), &ring(groove, groove + 0.1), WALNUT);
         }
         if straight > 0.0 {
             let edge = if y > 0.0 { (1.0 - gx, 1.0) } else { (-1.0, gx - 1.0) };
@@ -287,14 +287,14 @@ pub(super) fn track(b: &mut Build<'_>) {
 
 /// A tunnel over the track, a station and two trees in the centre.
 fn scenery(b: &mut Build<'_>, (gx, gy): (f32, f32), thick: f32) {
-    let paint = b.choose(PAINTS);
+    let paint = b.one_of(PAINTS);
     let arch = |w: f32, top: f32| arc_outline((1.0 - gx * 0.5, 0.0), (gx * w, top), (0.0, std::f32::consts::PI), 9);
     let mut shell = arch(0.5, 0.9);
     shell.extend(arch(0.42, 0.78).into_iter().rev());
     let shell: Vec<_> = shell.into_iter().map(|(x, z)| (x, z.max(thick * 1.05))).collect();
-    b.profile("tunnel", (-gy * 0.8, gy * 0.8), &shell, paint);
+    b.side_outline("tunnel", (-gy * 0.8, gy * 0.8), &shell, paint);
     b.slab("station", [-0.3, -gy * 1.2, 0.0], [0.2, gy * 1.2, 0.55], CREAM);
-    b.profile("station_roof", (-gy * 1.35, gy * 1.35), &[(-0.38, 0.54), (0.28, 0.54), (-0.05, 0.98)], RED);
+    b.side_outline("station_roof", (-gy * 1.35, gy * 1.35), &[(-0.38, 0.54), (0.28, 0.54), (-0.05, 0.98)], RED);
     let r = b.size.z * 0.2;
     for (x, y) in [(0.1, 0.35), (-0.25, -0.4)] {
         let foot = b.p([x, y, 0.0]);
@@ -305,7 +305,7 @@ fn scenery(b: &mut Build<'_>, (gx, gy): (f32, f32), thick: f32) {
 
 /// A toy aeroplane: propeller or jet, with wheels.
 pub(super) fn airplane(b: &mut Build<'_>) {
-    let (paint, trim) = (b.choose(BRIGHT), b.choose(&[WHITE_PLASTIC, YELLOW_PLASTIC, RED_PLASTIC, BEECH]));
+    let (paint, trim) = (b.one_of(BRIGHT), b.choose(&[WHITE_PLASTIC, YELLOW_PLASTIC, RED_PLASTIC, BEECH]));
     let jet = b.rng.chance(0.4);
     let girth = (b.size.z * 0.4 / b.size.y).min(0.2);
     let ring = |x: f32, z: f32, s: f32| ([x, 0.0, z], girth * s, 0.2 * s);
@@ -323,14 +323,14 @@ pub(super) fn airplane(b: &mut Build<'_>) {
     let sweep = if jet { 0.45 } else { 0.0 };
     let wing =
         [(0.4, 0.0), (0.3 - sweep, 1.0), (0.05 - sweep, 1.0), (-0.1, 0.0), (0.05 - sweep, -1.0), (0.3 - sweep, -1.0)];
-    b.plan("wing", (level, level + 0.06), &wing, trim);
+    b.plan_outline("wing", (level, level + 0.06), &wing, trim);
     let tail = [(-0.7, 0.0), (-0.85, 0.38), (-0.98, 0.38), (-0.95, 0.0), (-0.98, -0.38), (-0.85, -0.38)];
-    b.plan("tailplane", (0.6, 0.64), &tail, trim);
-    b.profile("fin", (-0.03, 0.03), &[(-0.66, 0.6), (-0.98, 0.6), (-1.0, 1.0), (-0.86, 1.0)], trim);
-    b.blob("cockpit", [0.4, 0.0, 0.66], [0.2, girth * 0.7, 0.12], BLACK_GLASS);
+    b.plan_outline("tailplane", (0.6, 0.64), &tail, trim);
+    b.side_outline("fin", (-0.03, 0.03), &[(-0.66, 0.6), (-0.98, 0.6), (-1.0, 1.0), (-0.86, 1.0)], trim);
+    b.ellipsoid("cockpit", [0.4, 0.0, 0.66], [0.2, girth * 0.7, 0.12], BLACK_GLASS);
     if jet {
         for y in SIDES {
-            b.disc("engine", Axis::X, [0.1, y * 0.42, 0.36], (b.size.z * 0.08, b.size.x * 0.14), GREY_PLASTIC);
+            b.wheel("engine", Axis::X, [0.1, y * 0.42, 0.36], (b.size.z * 0.08, b.size.x * 0.14), GREY_PLASTIC);
         }
     } else {
         b.pole("spinner", [0.84, 0.0, 0.47], [1.0, 0.0, 0.47], b.size.z * 0.05, YELLOW_PLASTIC);
@@ -341,14 +341,14 @@ pub(super) fn airplane(b: &mut Build<'_>) {
     for (x, y) in [(0.35, -0.2), (0.35, 0.2), (-0.8, 0.0)] {
         let small = if y == 0.0 { 0.6 } else { 1.0 };
         let z = r * small / b.size.z;
-        b.disc("wheel", Axis::Y, [x, y, z], (r * small, b.size.y * 0.05), RUBBER);
+        b.wheel("wheel", Axis::Y, [x, y, z], (r * small, b.size.y * 0.05), RUBBER);
         b.pole("leg", [x, y, z], [x, y * 0.5, 0.5], r * 0.2, GREY_PLASTIC);
     }
 }
 
 /// A toy boat with a flat keel: a steamer, a sailing boat or a tug.
 pub(super) fn boat(b: &mut Build<'_>) {
-    let (paint, deck) = (b.choose(BRIGHT), b.choose(&[WHITE_PLASTIC, BEECH, YELLOW_PLASTIC]));
+    let (paint, deck) = (b.one_of(BRIGHT), b.choose(&[WHITE_PLASTIC, BEECH, YELLOW_PLASTIC]));
     let sail = b.rng.chance(0.5);
     let rim = if sail { 0.24 } else { 0.42 };
     let side = |x: f32, y: f32, z: f32| [[x, y, z], [x, -y, z]];
@@ -363,21 +363,21 @@ pub(super) fn boat(b: &mut Build<'_>) {
     points.push([1.0, 0.0, rim]);
     b.chunk("hull", &points, paint);
     let plan = [(-0.92, 0.84), (0.28, 0.86), (0.7, 0.46), (0.92, 0.0), (0.7, -0.46), (0.28, -0.86), (-0.92, -0.84)];
-    b.plan("deck", (rim - 0.02, rim + 0.012), &plan, deck);
+    b.plan_outline("deck", (rim - 0.02, rim + 0.012), &plan, deck);
     if sail {
         let r = b.size.z * 0.012;
         b.pole("mast", [0.1, 0.0, rim], [0.1, 0.0, 1.0], r, BEECH);
         b.pole("boom", [0.1, 0.0, rim + 0.08], [-0.85, 0.0, rim + 0.08], r, BEECH);
         let cloth = b.choose(&[WHITE_COTTON, RED_FABRIC, BLUE_FABRIC, LINEN]);
-        b.profile("sail", (-0.02, 0.02), &[(0.1, rim + 0.1), (-0.85, rim + 0.1), (0.1, 0.97)], cloth);
-        b.profile("jib", (-0.02, 0.02), &[(0.1, rim + 0.1), (0.88, rim + 0.01), (0.1, 0.85)], WHITE_COTTON);
+        b.side_outline("sail", (-0.02, 0.02), &[(0.1, rim + 0.1), (-0.85, rim + 0.1), (0.1, 0.97)], cloth);
+        b.side_outline("jib", (-0.02, 0.02), &[(0.1, rim + 0.1), (0.88, rim + 0.01), (0.1, 0.85)], WHITE_COTTON);
         return;
     }
     b.slab("cabin", [-0.55, -0.55, rim], [0.3, 0.55, 0.68], deck);
     b.slab("bridge", [-0.15, -0.42, 0.67], [0.22, 0.42, 0.84], paint);
     b.slab("bridge_window", [0.05, -0.36, 0.72], [0.235, 0.36, 0.8], BLACK_GLASS);
     for x in [-0.4, -0.1, 0.15] {
-        b.disc("porthole", Axis::Y, [x, 0.0, 0.56], (b.size.z * 0.05, b.size.y * 0.57), BLUE_GLASS);
+        b.wheel("porthole", Axis::Y, [x, 0.0, 0.56], (b.size.z * 0.05, b.size.y * 0.57), BLUE_GLASS);
     }
     b.pole("funnel", [-0.35, 0.0, 0.66], [-0.35, 0.0, 0.96], b.size.y * 0.12, RED_PLASTIC);
     b.pole("funnel", [-0.35, 0.0, 0.95], [-0.35, 0.0, 1.0], b.size.y * 0.125, BLACK_PLASTIC);

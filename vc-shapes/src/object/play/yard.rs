@@ -4,9 +4,9 @@ use std::f32::consts::{FRAC_PI_2, PI};
 
 use vc_graph::portable::Portable;
 
-use super::kit::*;
 use crate::material::*;
-use crate::solid::{Axis, Build, CORNERS, band, rolled};
+use crate::object::palette::*;
+use crate::solid::{Axis, Build, CORNERS, Proportional, SIDES, band, rolled};
 
 /// The material of a frame (timber or painted tube) and its radius.
 fn framing(b: &mut Build<'_>) -> (MaterialId, f32) {
@@ -38,7 +38,7 @@ pub(super) fn swing(b: &mut Build<'_>) {
     let baby = b.rng.chance(0.35);
     hung_seat(b, 0.0, 0.98, (0.0, 0.98), (seat, rope));
     for y in SIDES {
-        b.hoop("ring", Axis::X, [0.0, y * 0.92, 0.985], (0.018, 0.005), GALVANISED);
+        b.torus("ring", Axis::X, [0.0, y * 0.92, 0.985], (0.018, 0.005), GALVANISED);
     }
     if baby {
         let (x, h) = ((0.17 / b.size.x).min(0.9), 0.25 / b.size.z);
@@ -79,7 +79,7 @@ pub(super) fn swing_set(b: &mut Build<'_>) {
                     0.01,
                     rope,
                 );
-                b.hoop("ring", Axis::X, [0.0, y + s * half * 0.7, 0.56], (0.08, 0.012), seat);
+                b.torus("ring", Axis::X, [0.0, y + s * half * 0.7, 0.56], (0.08, 0.012), seat);
             }
         } else {
             hung_seat(b, y, half, (low, high), (seat, rope));
@@ -93,7 +93,7 @@ pub(super) fn tire_swing(b: &mut Build<'_>) {
     let tube = (b.size.x.min(b.size.y) * 0.14).min(0.11);
     let ring = b.size.x.min(b.size.y) / 2.0 - tube;
     if b.rng.chance(0.6) {
-        b.hoop("tyre", Axis::Z, [0.0, 0.0, tube / b.size.z], (ring, tube), RUBBER);
+        b.torus("tyre", Axis::Z, [0.0, 0.0, tube / b.size.z], (ring, tube), RUBBER);
         for i in 0..3 {
             let (s, c) = (i as f32 * 2.0944).sine_cosine();
             let foot = [ring * c, ring * s, tube * 1.9];
@@ -102,17 +102,17 @@ pub(super) fn tire_swing(b: &mut Build<'_>) {
         }
         b.pole("rope", [0.0, 0.0, 0.61], [0.0, 0.0, 1.0 - 0.04 / b.size.z], 0.014, rope);
     } else {
-        b.hoop("tyre", Axis::X, [0.0, 0.0, (ring + tube) / b.size.z], (ring, tube), RUBBER);
+        b.torus("tyre", Axis::X, [0.0, 0.0, (ring + tube) / b.size.z], (ring, tube), RUBBER);
         let top = 2.0 * (ring + tube) / b.size.z;
         b.pole("rope", [0.0, 0.0, top - 0.06], [0.0, 0.0, 1.0 - 0.04 / b.size.z], 0.014, rope);
-        b.hoop("knot", Axis::Y, [0.0, 0.0, top - tube / b.size.z], (tube * 1.1, 0.012), rope);
+        b.torus("knot", Axis::Y, [0.0, 0.0, top - tube / b.size.z], (tube * 1.1, 0.012), rope);
     }
-    b.hoop("ring", Axis::X, [0.0, 0.0, 1.0 - 0.035 / b.size.z], (0.026, 0.008), GALVANISED);
+    b.torus("ring", Axis::X, [0.0, 0.0, 1.0 - 0.035 / b.size.z], (0.026, 0.008), GALVANISED);
 }
 
 /// A slide that descends to the front: ladder, platform, chute with sides.
 pub(super) fn slide(b: &mut Build<'_>) {
-    let (chute, rail) = (b.choose(BRIGHT), b.choose(BRIGHT));
+    let (chute, rail) = (b.one_of(BRIGHT), b.one_of(BRIGHT));
     let plastic = b.size.z < 1.2;
     let top = if plastic { 0.78 } else { 0.74 };
     let wavy = b.rng.chance(0.5);
@@ -124,17 +124,17 @@ pub(super) fn slide(b: &mut Build<'_>) {
             (-0.5 + 1.5 * t, top + (0.07 - top) * s + wave)
         })
         .collect();
-    b.profile("chute", (-0.62, 0.62), &band(&curve, (0.0, -0.03)), chute);
+    b.side_outline("chute", (-0.62, 0.62), &band(&curve, (0.0, -0.03)), chute);
     for y in SIDES {
         let lip: Vec<_> = curve.iter().map(|&(x, z)| (x, z - 0.05)).collect();
-        b.profile("side", (y * 0.68 - 0.06, y * 0.68 + 0.06), &band(&lip, (0.0, 0.15)), chute);
+        b.side_outline("side", (y * 0.68 - 0.06, y * 0.68 + 0.06), &band(&lip, (0.0, 0.15)), chute);
     }
     b.pad("platform", [-0.78, -0.86, top - 0.05], [-0.48, 0.86, top], 0.01, rail);
     let r = if plastic { 0.025 } else { 0.02 };
     for y in SIDES {
         b.plank("stile", [-0.98, y * 0.85, 0.005], [-0.74, y * 0.85, top], (r * 1.6, r * 2.0), rail);
         b.plank("post", [-0.5, y * 0.85, 0.0], [-0.55, y * 0.85, top], (r * 1.6, r * 2.0), rail);
-        b.tube(
+        b.bent_rod(
             "handrail",
             &[
                 [-0.76, y * 0.85, top - 0.02],
@@ -167,8 +167,8 @@ pub(super) fn sandbox(b: &mut Build<'_>) {
         b.slab("board", [t - x, s * x - t, 0.001], [x - t, s * x + t, 0.855], wood);
     }
     b.slab("sand", [t - x, t - x, 0.0], [x - t, x - t, 0.45], SANDSTONE);
-    b.blob("heap", [0.3, 0.35, 0.45], [0.3, 0.3, 0.25], SANDSTONE);
-    b.hollow("sand", [-0.35, 0.0, 0.45], (0.3, 0.7), 0.38);
+    b.ellipsoid("heap", [0.3, 0.35, 0.45], [0.3, 0.3, 0.25], SANDSTONE);
+    b.inner_floor("sand", [-0.35, 0.0, 0.45], (0.3, 0.7), 0.38);
     // The lid's halves are hinged at the sides, or at seats onto which they fold.
     let (edge, fold) = if b.rng.chance(0.5) { (1.0, PI * 0.55) } else { (0.66, PI * 0.85) };
     for y in SIDES {
@@ -193,7 +193,7 @@ pub(super) fn trampoline(b: &mut Build<'_>) {
     let r = b.size.x.min(b.size.y) / 2.0;
     let h = (b.size.z * 0.36).min(0.9);
     let ring = r * 0.97 - 0.025;
-    b.hoop("frame", Axis::Z, [0.0, 0.0, (h - 0.04) / b.size.z], (ring, 0.025), GALVANISED);
+    b.torus("frame", Axis::Z, [0.0, 0.0, (h - 0.04) / b.size.z], (ring, 0.025), GALVANISED);
     b.lathe("mat", [0.0, 0.0, h - 0.02], &[(r * 0.86, 0.0), (r * 0.86, 0.014)], BLACK_FABRIC);
     b.lathe(
         "pad",
@@ -235,7 +235,7 @@ pub(super) fn trampoline(b: &mut Build<'_>) {
 
 /// A seesaw: a beam on a trestle with two seats and grips.
 pub(super) fn seesaw(b: &mut Build<'_>) {
-    let (paint, seat) = (b.choose(&[RED, GREEN, BLUE, PINE, YELLOW]), b.choose(BRIGHT));
+    let (paint, seat) = (b.choose(&[RED, GREEN, BLUE, PINE, YELLOW]), b.one_of(BRIGHT));
     let pivot = 0.62;
     let near = 0.03 / b.size.y;
     for y in SIDES {
@@ -253,7 +253,7 @@ pub(super) fn seesaw(b: &mut Build<'_>) {
         for y in SIDES {
             b.pad("seat", [-0.75, y * s * 0.88 - 0.1, 0.115], [0.75, y * s * 0.88 + 0.1, 0.17], 0.01, seat);
             let grip = y * s * 0.68;
-            b.tube("grip", &[[0.0, grip, 0.11], [0.0, grip, 0.27], [0.0, grip, 0.27]], 0.012, IRON);
+            b.bent_rod("grip", &[[0.0, grip, 0.11], [0.0, grip, 0.27], [0.0, grip, 0.27]], 0.012, IRON);
             b.pole("grip", [-0.5, grip, 0.27], [0.5, grip, 0.27], 0.014, IRON);
         }
     });
@@ -360,7 +360,7 @@ pub(super) fn carousel(b: &mut Build<'_>) {
             GREY_RUBBER,
         );
         b.cylinder("hub", [0.0, 0.0, deck], r * 0.07, h * 0.62 - deck, IRON);
-        b.hoop("wheel", Axis::Z, [0.0, 0.0, 0.62], (r * 0.3, 0.016), rail);
+        b.torus("wheel", Axis::Z, [0.0, 0.0, 0.62], (r * 0.3, 0.016), rail);
         for i in 0..4 {
             let (s, c) = (i as f32 * FRAC_PI_2 + 0.4).sine_cosine();
             b.rod("spoke", [r * 0.06 * c, r * 0.06 * s, h * 0.62], [r * 0.3 * c, r * 0.3 * s, h * 0.62], 0.012, rail);
@@ -399,7 +399,7 @@ pub(super) fn rope_ladder(b: &mut Build<'_>) {
         b.pole("rope", [0.0, y * 0.82, 0.0], [0.0, y * 0.82, 0.95], r * 0.6, rope);
         b.pole("rope", [0.0, y * 0.82, 0.94], [0.0, 0.0, 0.99], r * 0.6, rope);
     }
-    b.hoop("ring", Axis::X, [0.0, 0.0, 1.0 - 1.9 * r / b.size.z], (r * 1.3, r * 0.4), GALVANISED);
+    b.torus("ring", Axis::X, [0.0, 0.0, 1.0 - 1.9 * r / b.size.z], (r * 1.3, r * 0.4), GALVANISED);
     let half = (b.size.x / 2.0).min(0.02);
     for i in 0..steps {
         let z = (0.03 + 0.86 * i as f32 / (steps as f32 - 1.0)) * b.size.z;
@@ -445,7 +445,7 @@ pub(super) fn zip_line(b: &mut Build<'_>) {
 
 /// A crawling tunnel: cloth on hoops.
 pub(super) fn tunnel(b: &mut Build<'_>) {
-    let (a, c) = (b.choose(CLOTHS), b.choose(CLOTHS));
+    let (a, c) = (b.one_of(CLOTHS), b.one_of(CLOTHS));
     let r = b.size.y.min(b.size.z) / 2.0;
     let segments = 6;
     let step = 2.0 / segments as f32;
@@ -467,7 +467,7 @@ pub(super) fn tunnel(b: &mut Build<'_>) {
     }
     for i in 0..=segments {
         let x = (-1.0 + step * i as f32) * (1.0 - 0.014 / b.size.x);
-        b.hoop("hoop", Axis::X, [x, 0.0, r / b.size.z], (r - 0.007, 0.006), BLACK_FABRIC);
+        b.torus("hoop", Axis::X, [x, 0.0, r / b.size.z], (r - 0.007, 0.006), BLACK_FABRIC);
     }
     let half = r * 0.5;
     b.inside("tunnel", [0.0, 0.0, r * 0.3], (b.size.x * 0.45, half * 0.9), r * 1.1);
@@ -496,7 +496,7 @@ pub(super) fn croquet(b: &mut Build<'_>) {
         let gate = [0.1, 0.9, 0.9, 0.1].map(|z| [-0.13, y, z]);
         let gate = [(gate[0], -0.12), (gate[1], -0.12), (gate[2], 0.12), (gate[3], 0.12)]
             .map(|(p, dy)| [p[0], p[1] + dy, p[2]]);
-        b.tube("hoop", &gate, b.size.z * 0.012, WHITE_METAL);
+        b.bent_rod("hoop", &gate, b.size.z * 0.012, WHITE_METAL);
     }
     for (i, mat) in colours.into_iter().enumerate() {
         let z = 0.61 + 0.08 * i as f32;
@@ -524,8 +524,8 @@ pub(super) fn water_table(b: &mut Build<'_>) {
     b.slab("divider", [-0.92, -t * 0.7, low + 0.03], [0.92, t * 0.7, rim - 0.01], case);
     b.slab("water", [-0.92, t * 0.7, low + 0.03], [0.92, 0.92, low + 0.1], POOL_WATER);
     b.slab("sand", [-0.92, -0.92, low + 0.03], [0.92, -t * 0.7, low + 0.1], SANDSTONE);
-    b.hollow("water", [0.3, 0.48, low + 0.1], (0.55, 0.38), 0.08);
-    b.hollow("sand", [0.3, -0.48, low + 0.1], (0.55, 0.38), 0.08);
+    b.inner_floor("water", [0.3, 0.48, low + 0.1], (0.55, 0.38), 0.08);
+    b.inner_floor("sand", [0.3, -0.48, low + 0.1], (0.55, 0.38), 0.08);
     b.deck("rim", [0.6, 0.0, rim - 0.01], (0.3, t * 0.5));
     if tall {
         let r = b.size.z * 0.09;

@@ -2,15 +2,15 @@
 
 use std::f32::consts::FRAC_PI_2;
 
-use super::kit::*;
 use crate::material::*;
-use crate::solid::{Axis, Build, CORNERS, P, arc_outline, band};
+use crate::object::palette::*;
+use crate::solid::{Axis, Build, CORNERS, P, Proportional, SIDES, arc_outline, band};
 
 /// A gabled roof over a rectangle, with the ridge along Y.
 fn gable_roof(b: &mut Build<'_>, x: (f32, f32), y: (f32, f32), z: (f32, f32), mat: MaterialId) {
     let middle = (x.0 + x.1) / 2.0;
     let t = (0.03 / b.size.z).min(0.05);
-    b.profile(
+    b.side_outline(
         "roof",
         y,
         &[
@@ -28,7 +28,7 @@ fn gable_roof(b: &mut Build<'_>, x: (f32, f32), y: (f32, f32), z: (f32, f32), ma
 /// A tower with platform, roof, slide, ladder, and a swing if it is wide.
 pub(super) fn tower(b: &mut Build<'_>) {
     let (wood, roof, chute) =
-        (b.choose(&[PINE, TEAK, OAK]), b.choose(&[GREEN, RED, BLUE, TERRACOTTA]), b.choose(BRIGHT));
+        (b.choose(&[PINE, TEAK, OAK]), b.choose(&[GREEN, RED, BLUE, TERRACOTTA]), b.one_of(BRIGHT));
     let wide = b.size.y > 2.6;
     let left = if wide { -1.0 + 2.4 / b.size.y } else { 0.95 };
     let (floor, eaves) = (0.46, 0.82);
@@ -64,9 +64,9 @@ pub(super) fn tower(b: &mut Build<'_>) {
         .map(|i| i as f32 / 8.0)
         .map(|t| (x1 + (1.0 - x1) * t, floor + (0.04 - floor) * t * t * (3.0 - 2.0 * t)))
         .collect();
-    b.profile("chute", (s0, s1), &band(&curve, (0.0, -0.015)), chute);
+    b.side_outline("chute", (s0, s1), &band(&curve, (0.0, -0.015)), chute);
     for y in [s0, s1] {
-        b.profile("chute_side", (y - 0.02, y + 0.02), &band(&curve, (0.0, 0.05)), chute);
+        b.side_outline("chute_side", (y - 0.02, y + 0.02), &band(&curve, (0.0, 0.05)), chute);
     }
     if wide {
         swing_arm(b, (y1, centre[0]), eaves - 0.05, wood);
@@ -81,7 +81,7 @@ fn swing_arm(b: &mut Build<'_>, (y, x): (f32, f32), z: f32, wood: MaterialId) {
         b.plank("leg", [x + side * 0.4, 0.95, 0.01], [x, 0.94, z], (0.08, 0.08), wood);
     }
     let (middle, half) = ((y + 0.95) / 2.0, 0.42 / b.size.y);
-    let seat = b.choose(BRIGHT);
+    let seat = b.one_of(BRIGHT);
     b.slab("seat", [x - 0.12, middle - half, 0.17], [x + 0.12, middle + half, 0.185], seat);
     for side in SIDES {
         b.pole("rope", [x, middle + side * half * 0.92, 0.18], [x, middle + side * half * 0.92, z], 0.01, JUTE);
@@ -139,7 +139,7 @@ fn walls(b: &mut Build<'_>, at: &House, wall: MaterialId, trim: MaterialId) {
         b.ball("knob", knob, 0.015, b.style.metal);
     });
     let centre = [(x.0 + x.1) / 2.0, (y.0 + y.1) / 2.0, floor + 0.02];
-    b.hollow("room", centre, ((x.1 - x.0) / 2.0 - 2.5 * t.0, (y.1 - y.0) / 2.0 - 2.5 * t.1), tall - 0.04);
+    b.inner_floor("room", centre, ((x.1 - x.0) / 2.0 - 2.5 * t.0, (y.1 - y.0) / 2.0 - 2.5 * t.1), tall - 0.04);
 }
 
 /// Two gables under a roof with the ridge along Y.
@@ -153,7 +153,7 @@ fn gables(b: &mut Build<'_>, at: &House, ridge: f32, wall: MaterialId, roof: Mat
     let (left, right) = (at.x.0 + 0.001, at.x.1 - 0.001);
     let outline = [(left, at.eaves), (right, at.eaves), (right, top(right)), (middle, top(middle)), (left, top(left))];
     for (a, c) in [(at.y.0 + 0.002, at.y.0 + t.0), (at.y.1 - t.0, at.y.1 - 0.002)] {
-        b.profile("gable", (a, c), &outline, wall);
+        b.side_outline("gable", (a, c), &outline, wall);
     }
     gable_roof(b, (x0, x1), (over(at.y.0, -0.08), over(at.y.1, 0.08)), (low, ridge), roof);
 }
@@ -162,11 +162,11 @@ fn gables(b: &mut Build<'_>, at: &House, ridge: f32, wall: MaterialId, roof: Mat
 pub(super) fn playhouse(b: &mut Build<'_>) {
     let plastic = b.rng.chance(0.4);
     let (wall, trim) = if plastic {
-        (b.choose(&[CREAM, SKY, WHITE_PLASTIC]), b.choose(BRIGHT))
+        (b.choose(&[CREAM, SKY, WHITE_PLASTIC]), b.one_of(BRIGHT))
     } else {
         (b.choose(&[PINE, OAK, SAGE, SKY, DUSTY_ROSE]), WHITE)
     };
-    let roof = if plastic { b.choose(BRIGHT) } else { b.choose(&[ANTHRACITE, TERRACOTTA, FOREST, NAVY]) };
+    let roof = if plastic { b.one_of(BRIGHT) } else { b.choose(&[ANTHRACITE, TERRACOTTA, FOREST, NAVY]) };
     let porch = b.rng.chance(0.5) && b.size.x > 1.4;
     let front = if porch { 0.5 } else { 0.9 };
     let house = House { x: (-0.92, front), y: (-0.92, 0.92), floor: 0.0, eaves: b.vary(0.66, 0.72) };
@@ -195,7 +195,7 @@ pub(super) fn playhouse(b: &mut Build<'_>) {
     }
     b.slab("flower_box", [front, 0.3, 0.2], [(front + 0.1).min(0.97), 0.8, 0.27], trim);
     for (i, y) in [0.38, 0.55, 0.72].into_iter().enumerate() {
-        b.blob("flower", [front + 0.05, y, 0.29], [0.05, 0.08, 0.035], [PETAL_RED, PETAL_YELLOW, PETAL_PINK][i]);
+        b.ellipsoid("flower", [front + 0.05, y, 0.29], [0.05, 0.08, 0.035], [PETAL_RED, PETAL_YELLOW, PETAL_PINK][i]);
     }
 }
 
@@ -231,14 +231,14 @@ pub(super) fn tree_house(b: &mut Build<'_>) {
         for (x, y, z, s) in
             [(-0.5, 0.0, 0.84, 1.0), (-0.3, 0.45, 0.88, 0.8), (-0.4, -0.5, 0.87, 0.85), (0.2, -0.1, 0.9, 0.7)]
         {
-            b.blob("crown", [x, y, z], [0.48 * s, 0.48 * s, 0.1], leaf);
+            b.ellipsoid("crown", [x, y, z], [0.48 * s, 0.48 * s, 0.1], leaf);
         }
     }
 }
 
 /// An inflatable castle: floor and walls of tubes, four towers, a doorway.
 pub(super) fn castle(b: &mut Build<'_>) {
-    let (a, c, flag) = (b.choose(BRIGHT), b.choose(BRIGHT), b.choose(BRIGHT));
+    let (a, c, flag) = (b.one_of(BRIGHT), b.one_of(BRIGHT), b.one_of(BRIGHT));
     let r = (b.size.x.min(b.size.y) * 0.1).min(b.size.z * 0.16);
     let (ex, ey) = (1.0 - 2.0 * r / b.size.x, 1.0 - 2.0 * r / b.size.y);
     let front = ex - 0.26;
@@ -250,7 +250,7 @@ pub(super) fn castle(b: &mut Build<'_>) {
         b.pad("floor_tube", [-ex, y - half, 0.05], [front, y + half, 0.125], 0.08, if i % 2 == 0 { c } else { a });
     }
     b.pad("step", [front - 0.02, -0.5, 0.0], [0.98, 0.5, 0.1], 0.08, c);
-    b.hollow(
+    b.inner_floor(
         "floor",
         [(front - ex) / 2.0, 0.0, 0.126],
         ((front + ex) / 2.0 - r / b.size.x * 3.0, ey - r / b.size.y * 3.0),
@@ -291,9 +291,9 @@ pub(super) fn castle(b: &mut Build<'_>) {
     }
     let arch = arc_outline((0.0, 0.55), (ey, 0.26), (0.0, std::f32::consts::PI), 9);
     let arch: Vec<P> = arch.into_iter().map(|(y, z)| [front, y, z]).collect();
-    b.tube("arch", &arch, r * 0.5, flag);
+    b.bent_rod("arch", &arch, r * 0.5, flag);
     b.pole("hose", [-0.98, 0.3, 0.06], [-ex, 0.3, 0.06], b.size.z * 0.03, BLACK_FABRIC);
-    b.disc(
+    b.wheel(
         "blower",
         Axis::Y,
         [-ex - r / b.size.x, 0.3, 0.06],
@@ -348,9 +348,9 @@ pub(super) fn mud_kitchen(b: &mut Build<'_>) {
         b.pole("hook", [-0.97, y, 0.77], [-0.84, y, 0.79], 0.005, IRON);
         if i % 2 == 0 {
             b.pole("spoon", [-0.9, y, 0.57], [-0.9, y, 0.79], 0.006, STEEL);
-            b.blob("spoon", [-0.9, y, 0.575], [0.03, 0.06, 0.03], STEEL);
+            b.ellipsoid("spoon", [-0.9, y, 0.575], [0.03, 0.06, 0.03], STEEL);
         }
     }
     let tap = [[-0.85, 0.5, rim], [-0.85, 0.5, 0.68], [-0.45, 0.5, 0.68], [-0.45, 0.5, 0.65]];
-    b.tube("tap", &tap, 0.01, BRASS);
+    b.bent_rod("tap", &tap, 0.01, BRASS);
 }

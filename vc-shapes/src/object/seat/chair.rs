@@ -85,7 +85,7 @@ pub(super) fn chair(b: &mut Build<'_>) {
         "dining_chair" => &[joined, joined, padded, padded, bucket, cantilever, windsor, moulded],
         _ => &[joined, joined, windsor, moulded, padded, cantilever, tubular, bucket],
     };
-    b.choose(designs)(b, &chair);
+    b.one_of(designs)(b, &chair);
 }
 
 /// A chair of square timber: the rear legs continue into a back of slats, spindles, a splat or a

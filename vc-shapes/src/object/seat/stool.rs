@@ -1,8 +1,8 @@
 //! Stools, benches and soft seats without a back.
 
 use crate::material::*;
-use crate::object::joinery::Handle;
-use crate::object::storage::case::{Case, Cell, Look};
+use crate::object::joinery::{Front, Handle};
+use crate::object::storage::case::{Case, Cell};
 use crate::object::storage::chest::{Chest, chest};
 use crate::object::table::frame::{Four, STAR, baluster};
 use crate::solid::{Axis, Build, CORNERS, Cut, at_least, disc, leg, ribbon};
@@ -269,7 +269,7 @@ pub(super) fn storage_bench(b: &mut Build<'_>) {
     }
     let pad = 0.05_f32.min(h * 0.15);
     let count = (y / 0.2).clamp(1.0, 4.0) as usize;
-    let cell = b.choose(&[Cell::Drawers(1), Cell::Drawers(1), Cell::Doors(Look::Flat, 1)]);
+    let cell = b.choose(&[Cell::Drawers(1), Cell::Drawers(1), Cell::Doors(Front::Flat, 1)]);
     let handle = Handle::Knob;
     let grip = handle.depth();
     let case = Case {

@@ -4,9 +4,9 @@ use std::f32::consts::{PI, TAU};
 
 use vc_graph::portable::Portable;
 
-use super::super::play::kit::*;
 use crate::material::*;
-use crate::solid::{Build, CORNERS, P, seam, zone};
+use crate::object::palette::*;
+use crate::solid::{Build, CORNERS, P, SIDES, seam, zone};
 
 /// Radius and centre of the ball that fits the size.
 fn fit(b: &Build<'_>) -> (f32, P) {
@@ -41,7 +41,7 @@ pub(super) fn plain(b: &mut Build<'_>) {
             mark(b, "label", [0.0, 0.0, 1.0], (0.0, 0.4), 1.0, line);
         }
         "exercise_ball" => {
-            let mat = b.choose(BRIGHT);
+            let mat = b.one_of(BRIGHT);
             b.ball("ball", c, r * 0.994, mat);
             let rib = b.vary(0.14, 0.24);
             for i in 1..(PI / rib) as usize {
@@ -52,7 +52,7 @@ pub(super) fn plain(b: &mut Build<'_>) {
             }
         }
         _ => {
-            let (mat, other) = (b.choose(BRIGHT), b.choose(&[WHITE_PLASTIC, YELLOW_PLASTIC, BLUE_PLASTIC]));
+            let (mat, other) = (b.one_of(BRIGHT), b.choose(&[WHITE_PLASTIC, YELLOW_PLASTIC, BLUE_PLASTIC]));
             b.ball("ball", c, r * 0.95, mat);
             let towards = [0.5, 0.3, 0.8];
             let (stripe, cap) = (b.vary(0.16, 0.42), b.vary(0.22, 0.42));

@@ -1,8 +1,7 @@
 //! Stationary bikes; the user faces the front.
 
-use super::super::play::kit::*;
 use crate::material::*;
-use crate::solid::{Axis, Build, P, oval_outline, pitched, spare};
+use crate::solid::{Axis, Build, P, Proportional, SIDES, oval_outline, pitched, spare};
 
 /// A seat post with a saddle.
 fn saddle(b: &mut Build<'_>, foot: P, seat: P, mat: MaterialId) {
@@ -20,7 +19,7 @@ fn saddle(b: &mut Build<'_>, foot: P, seat: P, mat: MaterialId) {
 
 /// Two cranks with pedals on an axle.
 pub(super) fn pedals(b: &mut Build<'_>, at: P, reach: f32, mat: MaterialId) {
-    b.disc("crank_wheel", Axis::Y, at, (reach * 0.55, b.size.y * 0.34), mat);
+    b.wheel("crank_wheel", Axis::Y, at, (reach * 0.55, b.size.y * 0.34), mat);
     b.pole("axle", [at[0], -0.44, at[2]], [at[0], 0.44, at[2]], 0.012, STEEL);
     for y in SIDES {
         let (dx, dz) = (y * reach * 1.5 / b.size.x, y * reach * 0.6 / b.size.z);
@@ -89,9 +88,9 @@ pub(super) fn upright(b: &mut Build<'_>) {
     b.plank("frame", [-0.86, 0.0, 0.05], [0.86, 0.0, 0.05], (0.07, 0.05), case);
     let z = b.vary(0.24, 0.28);
     let shape: Vec<_> = oval_outline((0.3, z), (0.5, z - 0.03), 16);
-    b.profile("case", (-0.26, 0.26), &shape, case);
+    b.side_outline("case", (-0.26, 0.26), &shape, case);
     let inner: Vec<_> = oval_outline((0.3, z), (0.34, (z - 0.03) * 0.68), 16);
-    b.profile("cover", (-0.3, 0.3), &inner, trim);
+    b.side_outline("cover", (-0.3, 0.3), &inner, trim);
     pedals(b, [0.06, 0.0, z * 0.9], (b.size.z * 0.1).min(0.15), trim);
     b.plank("tube", [-0.1, 0.0, 0.08], [-0.42, 0.0, 0.52], (0.06, 0.08), case);
     saddle(b, [-0.4, 0.0, 0.45], [-0.52, 0.0, 0.66], BLACK_LEATHER);
@@ -113,8 +112,8 @@ pub(super) fn spin(b: &mut Build<'_>) {
     let hole = [(r * 0.74, -0.014), (r, -0.014), (r, 0.014), (r * 0.74, 0.014), (r * 0.74, -0.014)];
     let c = b.p(at);
     b.lathe_along("flywheel", c, [c[0], 1.0, c[2]], &hole, wheel);
-    b.disc("web", Axis::Y, at, (r * 0.75, 0.01), BLACK_METAL);
-    b.disc("hub", Axis::Y, at, (r * 0.18, b.size.y * 0.22), STEEL);
+    b.wheel("web", Axis::Y, at, (r * 0.75, 0.01), BLACK_METAL);
+    b.wheel("hub", Axis::Y, at, (r * 0.18, b.size.y * 0.22), STEEL);
     for y in SIDES {
         b.plank("fork", [at[0], y * 0.16, at[2]], [0.3, y * 0.14, 0.56], (0.025, 0.05), frame);
         b.plank("stay", [at[0], y * 0.16, at[2]], [0.8, y * 0.16, 0.04], (0.025, 0.05), frame);
@@ -124,7 +123,7 @@ pub(super) fn spin(b: &mut Build<'_>) {
     b.plank("frame", [-0.1, 0.0, 0.22], [-0.36, 0.0, 0.58], (0.05, 0.07), frame);
     b.plank("frame", [-0.12, 0.0, 0.24], [0.36, 0.0, 0.6], (0.05, 0.07), frame);
     let guard = [(hub[0] - 0.16, 0.18), (at[0], at[2] - 0.05), (at[0], at[2] + 0.05), (hub[0] - 0.1, 0.35)];
-    b.profile("chain_guard", (0.2, 0.27), &guard, BLACK_PLASTIC);
+    b.side_outline("chain_guard", (0.2, 0.27), &guard, BLACK_PLASTIC);
     pedals(b, hub, (b.size.z * 0.1).min(0.15), BLACK_METAL);
     saddle(b, [-0.34, 0.0, 0.54], [-0.48, 0.0, 0.84], BLACK_LEATHER);
     b.plank("slide", [-0.66, 0.0, 0.835], [-0.3, 0.0, 0.835], (0.035, 0.03), STEEL);
@@ -145,13 +144,13 @@ pub(super) fn recumbent(b: &mut Build<'_>) {
     );
     feet(b, (-0.88, 0.88), BLACK_METAL);
     b.plank("frame", [-0.9, 0.0, 0.07], [0.9, 0.0, 0.07], (0.1, 0.07), case);
-    b.profile(
+    b.side_outline(
         "case",
         (-0.3, 0.3),
         &[(0.25, 0.06), (0.95, 0.06), (0.96, 0.3), (0.75, 0.52), (0.45, 0.52), (0.25, 0.34)],
         case,
     );
-    b.profile("cover", (-0.33, 0.33), &[(0.45, 0.16), (0.85, 0.16), (0.85, 0.3), (0.7, 0.42), (0.48, 0.42)], trim);
+    b.side_outline("cover", (-0.33, 0.33), &[(0.45, 0.16), (0.85, 0.16), (0.85, 0.3), (0.7, 0.42), (0.48, 0.42)], trim);
     pedals(b, [0.36, 0.0, 0.32], (b.size.z * 0.11).min(0.15), trim);
     b.plank("mast", [0.62, 0.0, 0.5], [0.5, 0.0, 0.9], (0.06, 0.08), case);
     display(b, [0.48, 0.0, 0.92], ((b.size.y * 0.28).min(0.18), b.size.z * 0.075), 0.3, BLACK_PLASTIC);

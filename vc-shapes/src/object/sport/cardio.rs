@@ -1,9 +1,8 @@
 //! Machines for running, rowing, climbing and gliding; the user faces the front.
 
-use super::super::play::kit::*;
 use super::bike::{display, feet};
 use crate::material::*;
-use crate::solid::{Axis, Build, oval_outline, rounded_between, spare};
+use crate::solid::{Axis, Build, Proportional, SIDES, oval_outline, rounded_between, spare};
 
 /// A treadmill with handrails and console, or a flat walking pad.
 pub(super) fn treadmill(b: &mut Build<'_>) {
@@ -28,7 +27,7 @@ pub(super) fn treadmill(b: &mut Build<'_>) {
     b.pole("roller", [-0.96, -0.78, deck * 0.68], [-0.96, 0.78, deck * 0.68], b.size.z * deck * 0.22, BLACK_PLASTIC);
     b.slab("line", [-0.9, -0.02, deck * 0.9], [ahead - 0.1, 0.02, deck * 0.945], WHITE_PLASTIC);
     if pad {
-        b.profile(
+        b.side_outline(
             "hood",
             (-0.99, 0.99),
             &[(ahead, deck * 0.3), (0.97, deck * 0.3), (0.99, deck * 0.6), (0.9, 0.99), (ahead + 0.06, 0.99)],
@@ -37,7 +36,7 @@ pub(super) fn treadmill(b: &mut Build<'_>) {
         b.slab("display", [ahead + 0.08, -0.3, 0.98], [0.86, 0.3, 1.0], PICTURE_DARK);
         return;
     }
-    b.profile(
+    b.side_outline(
         "hood",
         (-0.92, 0.92),
         &[(ahead, deck * 0.2), (0.96, deck * 0.2), (0.98, deck * 0.9), (0.86, deck * 1.5), (ahead + 0.04, deck * 1.25)],
@@ -82,12 +81,12 @@ pub(super) fn rower(b: &mut Build<'_>) {
     let r = (b.size.z * 0.27).min(b.size.x * 0.13).min(b.size.y * 0.48);
     let at = [0.99 - 2.0 * r / b.size.x, 0.0, rail + 0.1];
     if water {
-        b.disc("tank", Axis::Z, [at[0], 0.0, rail + 0.02], (r, b.size.z * 0.22), BLUE_GLASS);
-        b.disc("water", Axis::Z, [at[0], 0.0, rail + 0.01], (r * 0.94, b.size.z * 0.15), POOL_WATER);
+        b.wheel("tank", Axis::Z, [at[0], 0.0, rail + 0.02], (r, b.size.z * 0.22), BLUE_GLASS);
+        b.wheel("water", Axis::Z, [at[0], 0.0, rail + 0.01], (r * 0.94, b.size.z * 0.15), POOL_WATER);
     } else {
-        b.disc("flywheel", Axis::Y, at, (r, b.size.y * 0.2), BLACK_PLASTIC);
-        b.disc("vent", Axis::Y, at, (r * 0.75, b.size.y * 0.22), GREY_PLASTIC);
-        b.disc("hub", Axis::Y, at, (r * 0.3, b.size.y * 0.24), frame);
+        b.wheel("flywheel", Axis::Y, at, (r, b.size.y * 0.2), BLACK_PLASTIC);
+        b.wheel("vent", Axis::Y, at, (r * 0.75, b.size.y * 0.22), GREY_PLASTIC);
+        b.wheel("hub", Axis::Y, at, (r * 0.3, b.size.y * 0.24), frame);
     }
     b.plank("stay", [at[0], 0.0, rail], [0.7, 0.0, 0.08], (0.06, 0.05), frame);
     let seat = b.vary(-0.5, -0.1);
@@ -121,8 +120,8 @@ pub(super) fn elliptical(b: &mut Build<'_>) {
     let ahead = b.rng.chance(0.5);
     let x = if ahead { 0.55 } else { -0.55 };
     let shell: Vec<_> = oval_outline((x, 0.22), (0.4, 0.18), 16);
-    b.profile("case", (-0.24, 0.24), &shell, case);
-    b.disc("wheel", Axis::Y, [x, 0.0, 0.22], (b.size.z * 0.12, b.size.y * 0.27), trim);
+    b.side_outline("case", (-0.24, 0.24), &shell, case);
+    b.wheel("wheel", Axis::Y, [x, 0.0, 0.22], (b.size.z * 0.12, b.size.y * 0.27), trim);
     let mast = 0.42;
     b.plank("mast", [mast + 0.12, 0.0, 0.06], [mast, 0.0, 0.86], (0.07, 0.08), case);
     for y in SIDES {
@@ -149,7 +148,7 @@ pub(super) fn elliptical(b: &mut Build<'_>) {
             BLACK_PLASTIC,
         );
         b.plank("lever", [mast + shift, y * 0.5, 0.2 + y * 0.05], [mast + 0.02, y * 0.6, 0.6], (0.035, 0.04), case);
-        b.tube(
+        b.bent_rod(
             "arm",
             &[
                 [mast + 0.02, y * 0.6, 0.58],
@@ -178,9 +177,9 @@ pub(super) fn stairs(b: &mut Build<'_>) {
     );
     for y in SIDES {
         let side = [(-0.85, 0.0), (0.95, 0.0), (0.98, 0.5), (0.8, 0.56), (-0.8, 0.14)];
-        b.profile("side", (y * 0.87 - 0.1, y * 0.87 + 0.1), &side, case);
+        b.side_outline("side", (y * 0.87 - 0.1, y * 0.87 + 0.1), &side, case);
         let rail = [[-0.7, y * 0.88, 0.14], [-0.5, y * 0.88, 0.56], [0.55, y * 0.88, 0.78], [0.62, y * 0.88, 0.5]];
-        b.tube("rail", &rail, 0.02, BLACK_METAL);
+        b.bent_rod("rail", &rail, 0.02, BLACK_METAL);
         b.plank("mast", [0.8, y * 0.8, 0.5], [0.72, y * 0.8, 0.9], (0.05, 0.07), case);
     }
     for i in 0..4 {
@@ -207,8 +206,8 @@ pub(super) fn ski(b: &mut Build<'_>) {
     let z = 0.998 - r / b.size.z;
     let wide = (b.size.x * 0.3).min(0.2);
     let x = (low + high) / 2.0;
-    b.disc("fan", Axis::X, [x, 0.0, z], (r, wide.min(b.size.x * (1.0 - x) * 0.9)), BLACK_PLASTIC);
-    b.disc("vent", Axis::X, [x, 0.0, z], (r * 0.7, wide.min(b.size.x * (1.0 - x) * 0.9) + 0.006), GREY_PLASTIC);
+    b.wheel("fan", Axis::X, [x, 0.0, z], (r, wide.min(b.size.x * (1.0 - x) * 0.9)), BLACK_PLASTIC);
+    b.wheel("vent", Axis::X, [x, 0.0, z], (r * 0.7, wide.min(b.size.x * (1.0 - x) * 0.9) + 0.006), GREY_PLASTIC);
     for y in SIDES {
         b.plank("arm", [low, y * 0.1, 0.84], [low - 0.1, y * 0.6, 0.88], (0.03, 0.03), frame);
         b.pole("cord", [low - 0.1, y * 0.6, 0.88], [low - 0.1, y * 0.6, 0.74], 0.005, BLACK_FABRIC);
@@ -226,20 +225,25 @@ pub(super) fn vibration_plate(b: &mut Build<'_>) {
     let high = if tall { deck } else { 0.93 };
     let outline = rounded_between((-0.98, -0.98), (0.98, 0.98), (0.4, 0.3));
     let foot: Vec<_> = outline.iter().map(|&(x, y)| (x * 0.9, y * 0.9)).collect();
-    b.plan("base", (0.0, high * 0.4), &foot, BLACK_PLASTIC);
-    b.plan("plate", (high * 0.35, high), &outline, case);
+    b.plan_outline("base", (0.0, high * 0.4), &foot, BLACK_PLASTIC);
+    b.plan_outline("plate", (high * 0.35, high), &outline, case);
     let ahead = if tall { 0.5 } else { 0.85 };
-    b.plan("tread", (high * 0.9, high * 1.05), &rounded_between((-0.85, -0.85), (ahead, 0.85), (0.3, 0.3)), RUBBER);
+    b.plan_outline(
+        "tread",
+        (high * 0.9, high * 1.05),
+        &rounded_between((-0.85, -0.85), (ahead, 0.85), (0.3, 0.3)),
+        RUBBER,
+    );
     let place = [(ahead - 0.85) / 2.0, 0.0, high * 1.05];
     b.deck("plate", place, ((ahead + 0.85) / 2.0 - 0.12, 0.7));
     if !tall {
         b.slab("display", [0.87, -0.2, high * 0.9], [0.95, 0.2, high * 1.03], LED);
         return;
     }
-    b.profile("column", (-0.2, 0.2), &[(0.55, high * 0.8), (0.95, high * 0.8), (0.85, 0.9), (0.65, 0.9)], case);
+    b.side_outline("column", (-0.2, 0.2), &[(0.55, high * 0.8), (0.95, high * 0.8), (0.85, 0.9), (0.65, 0.9)], case);
     b.slab("stripe", [0.52, -0.06, high * 1.2], [0.66, 0.06, 0.8], trim);
     for y in SIDES {
-        b.tube("handle", &[[0.75, 0.0, 0.84], [0.6, y * 0.75, 0.84], [0.56, y * 0.75, 0.72]], 0.016, RUBBER);
+        b.bent_rod("handle", &[[0.75, 0.0, 0.84], [0.6, y * 0.75, 0.84], [0.56, y * 0.75, 0.72]], 0.016, RUBBER);
     }
     display(b, [0.7, 0.0, 0.93], (b.size.y * 0.24, b.size.z * 0.06), 0.3, BLACK_PLASTIC);
 }

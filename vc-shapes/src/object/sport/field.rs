@@ -2,9 +2,8 @@
 
 use vc_graph::portable::Portable;
 
-use super::super::play::kit::*;
 use crate::material::*;
-use crate::solid::{Axis, Build, P};
+use crate::solid::{Axis, Build, P, Proportional, SIDES};
 
 /// A net of cords over a quadrilateral with `cells` along and across; the frame it hangs from runs
 /// along the sides.
@@ -70,7 +69,7 @@ pub(super) fn basketball_hoop(b: &mut Build<'_>) {
         let (from, to) = mark(y, h);
         b.slab("mark", from, to, line);
     }
-    b.hoop("rim", Axis::Z, [ring, 0.0, z], (r, 0.01), ORANGE);
+    b.torus("rim", Axis::Z, [ring, 0.0, z], (r, 0.01), ORANGE);
     b.slab("bracket", [face, -0.1, z - 0.015], [ring - 2.0 * r / b.size.x + 0.03, 0.1, z + 0.012], ORANGE);
     let drop = 0.4 / b.size.z;
     for i in 0..10 {

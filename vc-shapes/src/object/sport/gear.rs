@@ -4,9 +4,9 @@ use std::f32::consts::PI;
 
 use vc_graph::portable::Portable;
 
-use super::super::play::kit::*;
 use crate::material::*;
-use crate::solid::{Axis, Build, arc_outline, oval_outline, rounded_between};
+use crate::object::palette::*;
+use crate::solid::{Axis, Build, Proportional, SIDES, arc_outline, oval_outline, rounded_between};
 
 /// A dumbbell: hexagonal heads, round ones, or plates on a bar, lying along Y.
 pub(super) fn dumbbell(b: &mut Build<'_>) {
@@ -123,7 +123,7 @@ pub(super) fn yoga_mat(b: &mut Build<'_>) {
     let line = b.choose(&[WHITE_PLASTIC, GREY_PLASTIC, CORK]);
     let h = (b.size.z * 0.8).max(b.size.z - 0.0015);
     let share = h / b.size.z;
-    b.plan("mat", (0.0, share), &rounded_between((-1.0, -1.0), (1.0, 1.0), (0.02, 0.06)), mat);
+    b.plan_outline("mat", (0.0, share), &rounded_between((-1.0, -1.0), (1.0, 1.0), (0.02, 0.06)), mat);
     for x in SIDES {
         b.slab("border", [x * 0.94 - 0.004, -0.9, share * 0.5], [x * 0.94 + 0.004, 0.9, 1.0], line);
     }
@@ -142,7 +142,7 @@ pub(super) fn yoga_block(b: &mut Build<'_>) {
 /// A foam roller, ribbed or smooth, hollow at its ends.
 pub(super) fn foam_roller(b: &mut Build<'_>) {
     let (r, half) = (b.size.x.min(b.size.z) / 2.0, b.size.y / 2.0);
-    let (mat, core) = (b.choose(BRIGHT), BLACK_PLASTIC);
+    let (mat, core) = (b.one_of(BRIGHT), BLACK_PLASTIC);
     let (ribbed, hole) = (b.rng.chance(0.6), r * 0.62);
     let body = if ribbed { r * 0.9 } else { r };
     let wall = [(hole, -half), (body, -half), (body, half), (hole, half), (hole, -half)];
@@ -175,7 +175,7 @@ pub(super) fn foam_roller(b: &mut Build<'_>) {
 
 /// A hanging resistance band: a loop of rubber, or a tube with two handles.
 pub(super) fn resistance_band(b: &mut Build<'_>) {
-    let mat = b.choose(BRIGHT);
+    let mat = b.one_of(BRIGHT);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let flat = b.rng.chance(0.5);
     let t = (y * 0.12).min(0.006);
@@ -214,7 +214,7 @@ pub(super) fn skipping_rope(b: &mut Build<'_>) {
     let ring = b.size.x / 2.0 - r;
     for i in 0..3 {
         let z = (r + 1.7 * r * i as f32) / b.size.z;
-        b.hoop("coil", Axis::Z, [0.0, 0.08 * (i as f32 - 1.0), z], (ring - r * 0.4 * i as f32, r), rope);
+        b.torus("coil", Axis::Z, [0.0, 0.08 * (i as f32 - 1.0), z], (ring - r * 0.4 * i as f32, r), rope);
     }
     let thick = (b.size.z - 5.6 * r).max(b.size.z * 0.2) / 2.0;
     for (x, tilt) in [(-0.3, 0.15), (0.35, -0.1)] {
@@ -226,10 +226,10 @@ pub(super) fn skipping_rope(b: &mut Build<'_>) {
 
 /// A hand gripper: a spring between two grips.
 pub(super) fn hand_gripper(b: &mut Build<'_>) {
-    let (mat, r) = (b.choose(BRIGHT), b.size.x / 2.0);
+    let (mat, r) = (b.one_of(BRIGHT), b.size.x / 2.0);
     let ring = r * 0.9;
-    b.hoop("spring", Axis::X, [0.0, 0.0, 1.0 - ring * 1.3 / b.size.z], (ring, ring * 0.28), STEEL);
-    b.hoop("spring", Axis::X, [0.4, 0.0, 1.0 - ring * 1.3 / b.size.z], (ring, ring * 0.28), STEEL);
+    b.torus("spring", Axis::X, [0.0, 0.0, 1.0 - ring * 1.3 / b.size.z], (ring, ring * 0.28), STEEL);
+    b.torus("spring", Axis::X, [0.4, 0.0, 1.0 - ring * 1.3 / b.size.z], (ring, ring * 0.28), STEEL);
     let grip = (b.size.y * 0.13).min(r);
     let edge = 1.0 - 2.0 * grip / b.size.y;
     for y in SIDES {
@@ -246,7 +246,7 @@ pub(super) fn hand_gripper(b: &mut Build<'_>) {
 
 /// An ab wheel: one or two wheels on an axle with grips.
 pub(super) fn ab_wheel(b: &mut Build<'_>) {
-    let (mat, r) = (b.choose(BRIGHT), b.size.x.min(b.size.z) / 2.0);
+    let (mat, r) = (b.one_of(BRIGHT), b.size.x.min(b.size.z) / 2.0);
     let half = b.size.y / 2.0;
     let grip = (r * 0.2).min(0.018);
     let double = b.rng.chance(0.5);
@@ -295,7 +295,7 @@ pub(super) fn stopwatch(b: &mut Build<'_>) {
 
 /// A flying disc with its rim down.
 pub(super) fn frisbee(b: &mut Build<'_>) {
-    let (mat, print) = (b.choose(BRIGHT), b.choose(&[WHITE_PLASTIC, YELLOW_PLASTIC, BLACK_PLASTIC]));
+    let (mat, print) = (b.one_of(BRIGHT), b.choose(&[WHITE_PLASTIC, YELLOW_PLASTIC, BLACK_PLASTIC]));
     let (r, h) = (b.size.x.min(b.size.y) / 2.0, b.size.z);
     let t = h * 0.14;
     let shape = [

@@ -4,9 +4,9 @@ use std::f32::consts::PI;
 
 use vc_graph::portable::Portable;
 
-use super::super::play::kit::*;
 use crate::material::*;
-use crate::solid::{Axis, Build, CORNERS, rounded_between};
+use crate::object::palette::*;
+use crate::solid::{Axis, Build, CORNERS, Proportional, SIDES, rounded_between};
 
 /// A pull-up bar for a doorway or on wall brackets.
 pub(super) fn pull_up_bar(b: &mut Build<'_>) {
@@ -90,7 +90,7 @@ pub(super) fn punching_bag(b: &mut Build<'_>) {
             b.rod("chain", [x * r * 0.55, y * r * 0.55, h * high * 0.99], [0.0, 0.0, h * 0.93], 0.006, STEEL);
         }
         b.cylinder("swivel", [0.0, 0.0, h * 0.915], 0.018, h * 0.05, CHROME);
-        b.hoop("ring", Axis::X, [0.0, 0.0, 0.975], (h * 0.017, h * 0.006), CHROME);
+        b.torus("ring", Axis::X, [0.0, 0.0, 0.975], (h * 0.017, h * 0.006), CHROME);
     }
     let (z0, z1, w) = (h * low, h * high, r * wide);
     b.lathe(
@@ -141,7 +141,7 @@ pub(super) fn wall_bars(b: &mut Build<'_>) {
     for &y in posts {
         let at = y * (1.0 - 0.035 / b.size.y);
         let half = 0.03 / b.size.y;
-        b.profile(
+        b.side_outline(
             "post",
             (at - half, at + half),
             &[(-1.0, 0.0), (0.2, 0.0), (0.3, 0.84), (0.98, 0.9), (0.98, 1.0), (-1.0, 1.0)],
@@ -163,7 +163,7 @@ pub(super) fn climbing_wall(b: &mut Build<'_>) {
     let lean = if thick { 0.35 } else { -0.55 };
     let back = if thick { -0.75 } else { -0.6 };
     let face = |z: f32| if z < 0.4 { back } else { back + (lean - back) * (z - 0.4) / 0.6 };
-    b.profile("wall", (-0.995, 0.995), &[(-1.0, 0.0), (back, 0.0), (back, 0.4), (lean, 1.0), (-1.0, 1.0)], board);
+    b.side_outline("wall", (-0.995, 0.995), &[(-1.0, 0.0), (back, 0.0), (back, 0.4), (lean, 1.0), (-1.0, 1.0)], board);
     let (rows, columns) = (6, (b.size.y / 0.45).clamp(3.0, 8.0) as usize);
     let room = (b.size.x * (0.95 - lean) / 4.0).min(b.size.x * (1.0 + back) / 1.3);
     let (hold, deep) = ((b.size.x * (0.95 - lean) / 4.0).min(0.045), room.min(0.045) * 2.0 / b.size.x);
@@ -174,9 +174,9 @@ pub(super) fn climbing_wall(b: &mut Build<'_>) {
         let (dy, dz, size) = (b.vary(-0.3, 0.3), b.vary(-0.04, 0.04), b.vary(0.6, 1.0));
         let y = -1.0 + 2.0 * (j as f32 + 0.5 + dy) / columns as f32;
         let z = 0.1 + 0.15 * i as f32 + dz;
-        let mat = b.choose(BRIGHT);
+        let mat = b.one_of(BRIGHT);
         let half = [deep, hold * size * 2.6 / b.size.y, hold * size * 0.9 / b.size.z];
-        b.blob("hold", [face(z) + 0.4 * deep, y.clamp(-0.9, 0.9), z], half, mat);
+        b.ellipsoid("hold", [face(z) + 0.4 * deep, y.clamp(-0.9, 0.9), z], half, mat);
     }
     b.slab("mat", [-0.98, -0.99, 0.0], [0.99, 0.99, 0.03], BLUE_FABRIC);
 }
@@ -210,7 +210,7 @@ pub(super) fn rings(b: &mut Build<'_>) {
     let y = 1.0 - 2.0 * wheel / b.size.y;
     b.pole("hanger", [0.0, -1.0, 1.0 - 0.012 / b.size.z], [0.0, 1.0, 1.0 - 0.012 / b.size.z], r.min(0.012), STEEL);
     for s in SIDES {
-        b.hoop("ring", Axis::X, [0.0, s * y, wheel / b.size.z], (wheel - r, r), ring);
+        b.torus("ring", Axis::X, [0.0, s * y, wheel / b.size.z], (wheel - r, r), ring);
         let top = (2.0 * wheel - 2.0 * r) / b.size.z;
         let half = (0.019 / (b.size.y / 2.0)).min(0.1);
         b.slab("strap", [-0.1, s * y - half, top], [0.1, s * y + half, 0.999], strap);
@@ -245,7 +245,7 @@ pub(super) fn pommel_horse(b: &mut Build<'_>) {
             let z = 0.985 - 0.017 / b.size.z;
             let bow =
                 [[-0.6, y * 0.28, top - 0.07], [-0.4, y * 0.28, z], [0.4, y * 0.28, z], [0.6, y * 0.28, top - 0.07]];
-            b.tube("pommel", &bow, 0.017, b.style.wood);
+            b.bent_rod("pommel", &bow, 0.017, b.style.wood);
         }
     }
 }
@@ -276,12 +276,12 @@ pub(super) fn plyo_box(b: &mut Build<'_>) {
 
 /// An aerobic step: a ribbed top on risers.
 pub(super) fn aerobic_step(b: &mut Build<'_>) {
-    let (mat, riser) = (b.choose(&[GREY_PLASTIC, BLACK_PLASTIC, PURPLE_PLASTIC, BLUE_PLASTIC]), b.choose(BRIGHT));
+    let (mat, riser) = (b.choose(&[GREY_PLASTIC, BLACK_PLASTIC, PURPLE_PLASTIC, BLUE_PLASTIC]), b.one_of(BRIGHT));
     let thick = (0.08 / b.size.z).min(0.6);
     let outline = rounded_between((-1.0, -1.0), (1.0, 1.0), (0.3, 0.12));
-    b.plan("step", (1.0 - thick, 0.97), &outline, mat);
+    b.plan_outline("step", (1.0 - thick, 0.97), &outline, mat);
     let inner: Vec<_> = outline.iter().map(|&(x, y)| (x * 0.88, y * 0.95)).collect();
-    b.plan("tread", (0.9, 1.0), &inner, RUBBER);
+    b.plan_outline("tread", (0.9, 1.0), &inner, RUBBER);
     let levels = (((1.0 - thick) * b.size.z / 0.05).round() as usize).clamp(1, 4);
     for y in SIDES {
         for i in 0..levels {
@@ -304,7 +304,7 @@ pub(super) fn rebounder(b: &mut Build<'_>) {
     let (pad, bar) = (b.choose(&[BLACK_FABRIC, BLUE_FABRIC, PURPLE_FABRIC, RED_FABRIC]), b.size.z > 0.6);
     let (r, h) = (b.size.x.min(b.size.y) / 2.0, (b.size.z * 0.98).min(0.26));
     let tube = 0.014;
-    b.hoop("frame", Axis::Z, [0.0, 0.0, (h - 0.03) / b.size.z], (r * 0.97 - tube, tube), BLACK_METAL);
+    b.torus("frame", Axis::Z, [0.0, 0.0, (h - 0.03) / b.size.z], (r * 0.97 - tube, tube), BLACK_METAL);
     b.cylinder("mat", [0.0, 0.0, h - 0.03], r * 0.78, 0.012, BLACK_FABRIC);
     b.lathe(
         "pad",
@@ -369,7 +369,7 @@ pub(super) fn putting_green(b: &mut Build<'_>) {
     let mat = 0.2;
     let half = (0.006 / b.size.x).min(0.1);
     b.slab("turf", [-0.99, -0.95, 0.0], [0.6, 0.95, mat], GRASS);
-    b.profile("ramp", (-0.95, 0.95), &[(0.6, 0.0), (0.99, 0.0), (0.99, 0.7), (0.86, 0.7)], GRASS);
+    b.side_outline("ramp", (-0.95, 0.95), &[(0.6, 0.0), (0.99, 0.0), (0.99, 0.7), (0.86, 0.7)], GRASS);
     for y in SIDES {
         b.slab("border", [-1.0, y * 0.975 - 0.024, 0.0], [1.0, y * 0.975 + 0.024, 0.76], edge);
     }

@@ -1,8 +1,8 @@
 //! Skates, skis, boards and sleds.
 
-use super::super::play::kit::*;
 use crate::material::*;
-use crate::solid::{Axis, Build, band};
+use crate::object::palette::*;
+use crate::solid::{Axis, Build, Proportional, SIDES, band};
 
 /// A pair of ice skates.
 pub(super) fn skates(b: &mut Build<'_>) {
@@ -10,7 +10,7 @@ pub(super) fn skates(b: &mut Build<'_>) {
     for y in SIDES {
         let at = y * 0.54;
         b.within([-1.0, at - 0.44, 0.0], [1.0, at + 0.44, 1.0], |b| {
-            b.profile(
+            b.side_outline(
                 "blade",
                 (-0.06, 0.06),
                 &[(-0.95, 0.03), (-0.9, 0.0), (0.8, 0.0), (0.98, 0.06), (0.95, 0.1), (-0.95, 0.08)],
@@ -26,7 +26,7 @@ pub(super) fn skates(b: &mut Build<'_>) {
 
 /// A pair of upright skis with bindings, and two poles.
 pub(super) fn skis(b: &mut Build<'_>) {
-    let (deck, trim) = (b.choose(PAINTS), b.choose(&[WHITE, BLACK, YELLOW]));
+    let (deck, trim) = (b.one_of(PAINTS), b.choose(&[WHITE, BLACK, YELLOW]));
     let t = 0.1;
     for y in SIDES {
         let (low, high) = (y * 0.44 - 0.3, y * 0.44 + 0.3);
@@ -43,7 +43,7 @@ pub(super) fn skis(b: &mut Build<'_>) {
             (at - 0.2, 0.45),
             (low + 0.06, 0.12),
         ];
-        b.facing("ski", (-0.45 - t, -0.45 + t), &outline, deck);
+        b.front_outline("ski", (-0.45 - t, -0.45 + t), &outline, deck);
         b.chunk(
             "tip",
             &[
@@ -65,7 +65,7 @@ pub(super) fn skis(b: &mut Build<'_>) {
         let pole = y * 0.86;
         b.pole("pole", [0.6, pole, 0.0], [0.6, pole, 0.7], 0.006, ALUMINIUM);
         b.pole("grip", [0.6, pole, 0.63], [0.6, pole, 0.71], (b.size.y * 0.06).min(0.013), RUBBER);
-        b.disc("basket", Axis::Z, [0.6, pole, 0.04], ((b.size.y * 0.07).min(b.size.x * 0.2), 0.006), trim);
+        b.wheel("basket", Axis::Z, [0.6, pole, 0.04], ((b.size.y * 0.07).min(b.size.x * 0.2), 0.006), trim);
     }
     b.slab("strap", [-0.6, -0.6, 0.75], [-0.3, 0.6, 0.765], BLACK_FABRIC);
     b.slab("rest", [-0.5, -0.92, 0.0], [0.7, 0.92, 0.006], BLACK_PLASTIC);
@@ -74,7 +74,7 @@ pub(super) fn skis(b: &mut Build<'_>) {
 /// A snowboard with bindings or a surfboard with fins, upright.
 pub(super) fn board(b: &mut Build<'_>) {
     let surf = b.class == "surfboard";
-    let (deck, trim) = (b.choose(&[WHITE, RED, BLUE, YELLOW, SKY, ORANGE, BLACK]), b.choose(PAINTS));
+    let (deck, trim) = (b.choose(&[WHITE, RED, BLUE, YELLOW, SKY, ORANGE, BLACK]), b.one_of(PAINTS));
     let side: &[(f32, f32)] = if surf {
         &[(0.45, 0.0), (0.8, 0.14), (0.98, 0.4), (0.97, 0.6), (0.7, 0.85), (0.3, 0.97), (0.0, 1.0)]
     } else {
@@ -83,16 +83,16 @@ pub(super) fn board(b: &mut Build<'_>) {
     let mirrored = side.iter().rev().filter(|p| p.0 > 0.0).map(|&(y, z)| (-y, z));
     let outline: Vec<_> = side.iter().copied().chain(mirrored).collect();
     let (back, front) = if surf { (-0.5, 0.1) } else { (-0.95, -0.72) };
-    b.facing("board", (back, front), &outline, deck);
+    b.front_outline("board", (back, front), &outline, deck);
     let smaller: Vec<_> = outline.iter().map(|&(y, z)| (y * 0.95, 0.5 + (z - 0.5) * 0.97)).collect();
-    b.facing("deck", (back + 0.1, front + 0.06), &smaller, if surf { deck } else { trim });
+    b.front_outline("deck", (back + 0.1, front + 0.06), &smaller, if surf { deck } else { trim });
     if surf {
         b.slab("stringer", [0.0, -0.015, 0.02], [0.18, 0.015, 0.96], trim);
         b.slab("band", [0.0, -0.97, 0.42], [0.175, 0.97, 0.52], trim);
         b.slab("grip", [0.02, -0.35, 0.08], [0.2, 0.35, 0.2], BLACK_PLASTIC);
         for y in [-0.4, 0.0, 0.4] {
             b.within([-1.0, y - 0.02, 0.0], [1.0, y + 0.02, 1.0], |b| {
-                b.profile("fin", (-1.0, 1.0), &[(-0.45, 0.06), (-1.0, 0.05), (-0.9, 0.08), (-0.45, 0.14)], trim)
+                b.side_outline("fin", (-1.0, 1.0), &[(-0.45, 0.06), (-1.0, 0.05), (-0.9, 0.08), (-0.45, 0.14)], trim)
             });
         }
         b.slab("strap", [0.05, -0.1, 0.03], [0.98, 0.1, 0.06], BLACK_FABRIC);
@@ -118,7 +118,7 @@ pub(super) fn board(b: &mut Build<'_>) {
 /// A wooden sledge on runners, or a plastic one with brakes.
 pub(super) fn sled(b: &mut Build<'_>) {
     if b.rng.chance(0.5) {
-        let (mat, brake) = (b.choose(BRIGHT), b.choose(BRIGHT));
+        let (mat, brake) = (b.one_of(BRIGHT), b.one_of(BRIGHT));
         let side = [
             (-1.0, 0.06),
             (-0.9, 0.0),
@@ -131,9 +131,9 @@ pub(super) fn sled(b: &mut Build<'_>) {
             (-0.9, 0.2),
             (-0.95, 0.3),
         ];
-        b.profile("shell", (-0.9, 0.9), &side, mat);
+        b.side_outline("shell", (-0.9, 0.9), &side, mat);
         for y in SIDES {
-            b.profile(
+            b.side_outline(
                 "wall",
                 (y * 0.93 - 0.07, y * 0.93 + 0.07),
                 &[(-0.98, 0.1), (0.6, 0.1), (0.9, 0.55), (0.5, 0.6), (-0.9, 0.8)],
@@ -150,8 +150,8 @@ pub(super) fn sled(b: &mut Build<'_>) {
     for y in SIDES {
         let edge = (y * 0.8 - 0.06, y * 0.8 + 0.06);
         let curve = [(-0.95, 0.012), (0.55, 0.012), (0.8, 0.1), (0.95, 0.35), (0.99, 0.7)];
-        b.profile("runner", edge, &band(&curve, (-0.04, 0.12)), wood);
-        b.profile(
+        b.side_outline("runner", edge, &band(&curve, (-0.04, 0.12)), wood);
+        b.side_outline(
             "steel",
             (edge.0 + 0.02, edge.1 - 0.02),
             &[(-0.94, 0.0), (0.5, 0.0), (0.5, 0.03), (-0.94, 0.03)],

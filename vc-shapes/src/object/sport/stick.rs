@@ -2,9 +2,8 @@
 
 use vc_graph::portable::Portable;
 
-use super::super::play::kit::*;
 use crate::material::*;
-use crate::solid::{Axis, Build, P, oval_outline, seam};
+use crate::solid::{Axis, Build, P, Proportional, SIDES, oval_outline, seam};
 
 /// A strung racket standing on its grip: tennis, squash or badminton.
 pub(super) fn racket(b: &mut Build<'_>) {
@@ -23,8 +22,8 @@ pub(super) fn racket(b: &mut Build<'_>) {
     for i in 0..9 {
         let t = -0.8 + 0.2 * i as f32;
         let reach = (1.0 - t * t).sqrt();
-        b.slab_line("string", [0.0, t * y, z - half * reach], [0.0, t * y, z + half * reach], (string, 0.9));
-        b.slab_line("string", [0.0, -y * reach, z + t * half], [0.0, y * reach, z + t * half], (string, -0.9));
+        string_between(b, [0.0, t * y, z - half * reach], [0.0, t * y, z + half * reach], (string, 0.9));
+        string_between(b, [0.0, -y * reach, z + t * half], [0.0, y * reach, z + t * half], (string, -0.9));
     }
     let low = z - half;
     if light {
@@ -46,31 +45,24 @@ pub(super) fn racket(b: &mut Build<'_>) {
     b.pole("butt", [0.0, 0.0, 0.0], [0.0, 0.0, 0.03], thick, BLACK_PLASTIC);
 }
 
-/// Thin straight lines.
-trait Lines {
-    /// `section` is half the thickness, and the offset to the front as a multiple of it.
-    fn slab_line(&mut self, name: &str, from: P, to: P, section: (f32, f32));
-}
-
-impl Lines for Build<'_> {
-    fn slab_line(&mut self, name: &str, from: P, to: P, (half, front): (f32, f32)) {
-        let (low, high) = (self.p(from), self.p(to));
-        let corner = |p: P, by: f32| [p[0] + half * front + by, p[1] + by, p[2] + by];
-        self.block(name, corner(low, -half), corner(high, half), WHITE_PLASTIC);
-    }
+/// A straight string; `section` is half its thickness, and its offset to the front as a multiple of that.
+fn string_between(b: &mut Build<'_>, from: P, to: P, (half, front): (f32, f32)) {
+    let (low, high) = (b.p(from), b.p(to));
+    let corner = |p: P, by: f32| [p[0] + half * front + by, p[1] + by, p[2] + by];
+    b.block("string", corner(low, -half), corner(high, half), WHITE_PLASTIC);
 }
 
 /// A table tennis bat, red on one side and black on the other.
 pub(super) fn paddle(b: &mut Build<'_>) {
     let wood = b.choose(&[BEECH, MAPLE, BIRCH]);
     let blade = oval_outline((0.0, 0.67), (1.0, 0.33), 24);
-    b.facing("blade", (-0.25, 0.25), &blade, wood);
+    b.front_outline("blade", (-0.25, 0.25), &blade, wood);
     let rubber: Vec<_> =
         blade.iter().map(|&(y, z)| (y * 0.985, 0.67 + (z - 0.67) * 0.985)).filter(|p| p.1 > 0.41).collect();
-    b.facing("rubber", (0.24, 0.6), &rubber, RED_RUBBER);
-    b.facing("rubber", (-0.6, -0.24), &rubber, RUBBER);
+    b.front_outline("rubber", (0.24, 0.6), &rubber, RED_RUBBER);
+    b.front_outline("rubber", (-0.6, -0.24), &rubber, RUBBER);
     b.pad("handle", [-1.0, -0.18, 0.0], [1.0, 0.18, 0.4], 0.008, wood);
-    b.facing("neck", (-0.24, 0.24), &[(-0.17, 0.3), (0.17, 0.3), (0.6, 0.5), (-0.6, 0.5)], wood);
+    b.front_outline("neck", (-0.24, 0.24), &[(-0.17, 0.3), (0.17, 0.3), (0.6, 0.5), (-0.6, 0.5)], wood);
 }
 
 /// A shuttlecock standing on its feathers with the cork up.
@@ -84,7 +76,7 @@ pub(super) fn shuttlecock(b: &mut Build<'_>) {
         b.hull("quill", &quill((s, c), r, cork, h), WHITE_PLASTIC);
     }
     for z in [0.3, 0.45] {
-        b.hoop("thread", Axis::Z, [0.0, 0.0, z], (r * (0.96 - z * 0.78), r * 0.03), GREEN_PLASTIC);
+        b.torus("thread", Axis::Z, [0.0, 0.0, z], (r * (0.96 - z * 0.78), r * 0.03), GREEN_PLASTIC);
     }
     b.lathe(
         "cork",
@@ -143,11 +135,11 @@ pub(super) fn golf_club(b: &mut Build<'_>) {
             let face = [(-0.8, 0.0), (0.85, 0.0), (1.0, 0.07), (0.8, 0.085), (-0.8, 0.045)];
             let tall = 0.09 / b.size.z.max(0.2);
             let face: Vec<_> = face.iter().map(|&(y, z)| (y, z * tall / 0.085)).collect();
-            b.facing("head", (-0.6, -0.1), &face, CHROME);
+            b.front_outline("head", (-0.6, -0.1), &face, CHROME);
             b.slab("sole", [-0.95, -0.75, 0.0], [0.1, 0.85, 0.012], STEEL);
         }
         1 => {
-            b.blob("head", [0.0, 0.1, 0.03], [0.98, 0.9, 0.03], BLACK);
+            b.ellipsoid("head", [0.0, 0.1, 0.03], [0.98, 0.9, 0.03], BLACK);
             b.slab("face", [-0.3, 0.0, 0.012], [0.3, 0.98, 0.045], CHROME);
         }
         _ => b.pad("head", [-0.55, -0.9, 0.0], [0.2, 1.0, 0.03], 0.004, STEEL),

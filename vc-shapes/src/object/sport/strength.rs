@@ -1,9 +1,8 @@
 //! Weight machines, benches and racks; a seated user faces the front.
 
-use super::super::play::kit::*;
 use super::gear::dumbbell;
 use crate::material::*;
-use crate::solid::{Axis, Build, CORNERS, P};
+use crate::solid::{Axis, Build, CORNERS, P, Proportional, SIDES};
 
 const TUBE: f32 = 0.06;
 
@@ -81,7 +80,7 @@ pub(super) fn station(b: &mut Build<'_>) {
         "leg_extension_machine" => {
             chair(b, 0.05, seat, 0.72, (frame, hide));
             let z = seat - 0.02;
-            b.disc("pivot", Axis::Y, [0.36, 0.0, z], (b.size.z * 0.05, b.size.y * 0.5), frame);
+            b.wheel("pivot", Axis::Y, [0.36, 0.0, z], (b.size.z * 0.05, b.size.y * 0.5), frame);
             b.plank("lever", [0.36, 0.0, z], [0.72, 0.0, 0.14], (0.05, 0.05), frame);
             b.pole("leg_roll", [0.78, -0.5, 0.16], [0.78, 0.5, 0.16], b.size.z * 0.05, hide);
             for y in SIDES {
@@ -105,7 +104,7 @@ pub(super) fn station(b: &mut Build<'_>) {
                 beam(b, [0.42, 0.0, 0.03], [0.42, 0.0, seat + 0.1], frame);
             }
             let at = 0.36;
-            b.disc("pulley", Axis::Y, [at, 0.0, top - 0.03], (0.05, 0.03), BLACK_PLASTIC);
+            b.wheel("pulley", Axis::Y, [at, 0.0, top - 0.03], (0.05, 0.03), BLACK_PLASTIC);
             b.pole("cable", [at, 0.0, top - 0.03], [at, 0.0, 0.82], 0.005, BLACK_PLASTIC);
             let span = (1.1 / b.size.y).min(0.96);
             b.pole("lat_bar", [at, -span * 0.7, 0.82], [at, span * 0.7, 0.82], 0.014, CHROME);
@@ -151,7 +150,7 @@ pub(super) fn leg_press(b: &mut Build<'_>) {
         b.pole("horn", [0.2, y * 0.3, level], [0.2, y * 0.97, level], 0.024, CHROME);
         for i in 0..b.rng.count(1, 3) {
             let at = y * (0.6 + 0.09 * i as f32);
-            b.disc("weight", Axis::Y, [0.2, at, level], (r, b.size.y * 0.035), RUBBER);
+            b.wheel("weight", Axis::Y, [0.2, at, level], (r, b.size.y * 0.035), RUBBER);
         }
     }
     b.pad("seat", [-0.62, -0.32, 0.16], [-0.32, 0.32, 0.22], 0.02, hide);
@@ -179,7 +178,7 @@ pub(super) fn cables(b: &mut Build<'_>) {
         b.slab("head", [-0.4, inner - half * 0.16, 0.93], [0.3, inner + half * 0.16, 0.965], frame);
         let z = b.vary(0.4, 0.8);
         b.slab("carriage", [0.1, inner - half * 0.2, z - 0.03], [0.34, inner + half * 0.2, z + 0.03], BLACK_PLASTIC);
-        b.disc("pulley", Axis::Y, [0.38, inner, z], (0.045, 0.03), GREY_PLASTIC);
+        b.wheel("pulley", Axis::Y, [0.38, inner, z], (0.045, 0.03), GREY_PLASTIC);
         b.pole("cable", [0.4, inner, z], [0.46, inner, z - 0.11], 0.005, BLACK_PLASTIC);
         b.pole("grip", [0.46, inner - half * 0.22, z - 0.11], [0.46, inner + half * 0.22, z - 0.11], 0.016, RUBBER);
     }
@@ -236,7 +235,7 @@ fn loaded_bar(b: &mut Build<'_>, at: P, half: f32) {
         for i in 0..count {
             let mat = [RUBBER, RED_RUBBER][i % 2];
             let y = s * half * (0.82 + 0.07 * i as f32);
-            b.disc("weight", Axis::Y, [at[0], y, at[2]], (r * (1.0 - 0.2 * i as f32), 0.035), mat);
+            b.wheel("weight", Axis::Y, [at[0], y, at[2]], (r * (1.0 - 0.2 * i as f32), 0.035), mat);
         }
     }
 }
@@ -329,7 +328,7 @@ pub(super) fn rack(b: &mut Build<'_>) {
             b.slab("hook", [-0.3, s * y - 0.04, bar - 0.04], [0.16, s * y + 0.04, bar - 0.014 / b.size.z], STEEL);
             b.slab("lip", [0.1, s * y - 0.04, bar - 0.02], [0.18, s * y + 0.04, bar + 0.03], STEEL);
             for i in 1..9 {
-                b.disc("hole", Axis::X, [-0.3, s * y, 0.1 * i as f32], (0.012, TUBE + 0.004), BLACK_PLASTIC);
+                b.wheel("hole", Axis::X, [-0.3, s * y, 0.1 * i as f32], (0.012, TUBE + 0.004), BLACK_PLASTIC);
             }
         }
         beam(b, [-0.9, -y, 0.032], [-0.9, y, 0.032], frame);
@@ -341,7 +340,7 @@ pub(super) fn rack(b: &mut Build<'_>) {
     b.pole("bar", [x, -0.99, bar], [x, 0.99, bar], 0.014, CHROME);
     for s in SIDES {
         let at = s * (y + 1.0) * 0.5 + s * 0.03;
-        b.disc(
+        b.wheel(
             "weight",
             Axis::Y,
             [x, at, bar],
@@ -357,7 +356,7 @@ pub(super) fn dumbbell_rack(b: &mut Build<'_>) {
     let tiers = if b.size.z > 0.8 { 3 } else { 2 };
     for y in SIDES {
         let side = (y * 0.97 - 0.03, y * 0.97 + 0.03);
-        b.profile(
+        b.side_outline(
             "side",
             side,
             &[(-0.98, 0.0), (0.98, 0.0), (0.98, 0.06), (0.1, 0.08), (-0.55, 0.99), (-0.8, 0.99), (-0.9, 0.08)],

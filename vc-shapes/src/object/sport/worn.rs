@@ -1,8 +1,8 @@
 //! Worn and carried gear.
 
-use super::super::play::kit::*;
 use crate::material::*;
-use crate::solid::{Axis, Build, arc_outline};
+use crate::object::palette::*;
+use crate::solid::{Axis, Build, Proportional, SIDES, arc_outline};
 
 /// A boot standing on a sole at height `sole`, toe to the front.
 pub(in crate::object) fn boot(b: &mut Build<'_>, sole: f32, mat: MaterialId, trim: MaterialId) {
@@ -30,8 +30,8 @@ pub(in crate::object) fn boot(b: &mut Build<'_>, sole: f32, mat: MaterialId, tri
 pub(super) fn baseball_glove(b: &mut Build<'_>) {
     let (hide, lace) =
         (b.choose(&[TAN_LEATHER, BROWN_LEATHER, BLACK_LEATHER]), b.choose(&[WHITE_LEATHER, BROWN_LEATHER]));
-    b.blob("palm", [-0.2, 0.0, 0.38], [0.75, 0.78, 0.36], hide);
-    b.blob("pocket", [0.42, 0.05, 0.42], [0.3, 0.45, 0.2], lace);
+    b.ellipsoid("palm", [-0.2, 0.0, 0.38], [0.75, 0.78, 0.36], hide);
+    b.ellipsoid("pocket", [0.42, 0.05, 0.42], [0.3, 0.45, 0.2], lace);
     b.slab("wrist", [-0.7, -0.5, 0.0], [0.3, 0.5, 0.14], hide);
     for (i, y) in [-0.62, -0.28, 0.06, 0.38].into_iter().enumerate() {
         let tip = [0.86, 0.95, 0.98, 0.92][i];
@@ -58,7 +58,7 @@ pub(super) fn baseball_glove(b: &mut Build<'_>) {
 
 /// A pair of ankle weights with straps across.
 pub(super) fn ankle_weights(b: &mut Build<'_>) {
-    let (cloth, strap) = (b.choose(CLOTHS), BLACK_FABRIC);
+    let (cloth, strap) = (b.one_of(CLOTHS), BLACK_FABRIC);
     for y in SIDES {
         let (low, high) = (y * 0.52 - 0.44, y * 0.52 + 0.44);
         for i in 0..5 {
@@ -77,8 +77,8 @@ pub(super) fn boxing_gloves(b: &mut Build<'_>) {
         (b.choose(&[RED, BLACK_LEATHER, BLUE, WHITE_LEATHER]), b.choose(&[WHITE_LEATHER, BLACK_LEATHER]));
     for y in SIDES {
         let at = y * 0.52;
-        b.blob("fist", [0.1, at, 0.72], [0.88, 0.42, 0.28], hide);
-        b.blob("palm", [0.0, at, 0.5], [0.68, 0.4, 0.24], hide);
+        b.ellipsoid("fist", [0.1, at, 0.72], [0.88, 0.42, 0.28], hide);
+        b.ellipsoid("palm", [0.0, at, 0.5], [0.68, 0.4, 0.24], hide);
         let thumb = [
             ([-0.1, at - y * 0.36, 0.4], 0.2, 0.08),
             ([0.3, at - y * 0.4, 0.55], 0.28, 0.1),
@@ -88,7 +88,7 @@ pub(super) fn boxing_gloves(b: &mut Build<'_>) {
         let ring = |z: f32, s: f32| ([-0.05, at, z], 0.62 * s, 0.38 * s);
         b.skin("cuff", Axis::Z, &[ring(0.0, 1.0), ring(0.3, 0.9), ring(0.36, 0.86)], cuff);
         b.skin("strap", Axis::Z, &[ring(0.14, 1.02), ring(0.24, 0.99)], hide);
-        b.blob("lace", [0.55, at, 0.08], [0.1, 0.14, 0.05], WHITE_COTTON);
+        b.ellipsoid("lace", [0.55, at, 0.08], [0.1, 0.14, 0.05], WHITE_COTTON);
     }
 }
 
@@ -153,12 +153,12 @@ pub(super) fn helmet(b: &mut Build<'_>) {
 
 /// A pair of knee pads with caps to the front.
 pub(super) fn knee_pads(b: &mut Build<'_>) {
-    let (cap, cloth) = (b.choose(BRIGHT), BLACK_FABRIC);
+    let (cap, cloth) = (b.one_of(BRIGHT), BLACK_FABRIC);
     for y in SIDES {
         let at = y * 0.52;
         let ring = |z: f32, s: f32| ([-0.3, at, z], 0.68 * s, 0.46 * s);
         b.skin("sleeve", Axis::Z, &[ring(0.0, 0.92), ring(0.5, 1.0), ring(1.0, 1.0)], cloth);
-        b.blob("cap", [0.3, at, 0.5], [0.66, 0.38, 0.3], cap);
+        b.ellipsoid("cap", [0.3, at, 0.5], [0.66, 0.38, 0.3], cap);
         for z in [0.14, 0.86] {
             b.skin("strap", Axis::Z, &[ring(z - 0.05, 1.03), ring(z + 0.05, 1.03)], GREY_FABRIC);
         }
@@ -176,15 +176,15 @@ pub(super) fn bag(b: &mut Build<'_>) {
         let end = arc_outline((0.0, body), (0.95, 0.12), (0.0, std::f32::consts::PI), 9);
         let outline: Vec<_> = [(-0.95, 0.03), (0.95, 0.03)].into_iter().chain(end).collect();
         b.within([-1.0, s * 0.93 - 0.03, 0.0], [1.0, s * 0.93 + 0.03, 1.0], |b| {
-            b.profile("end", (-1.0, 1.0), &outline, cloth)
+            b.side_outline("end", (-1.0, 1.0), &outline, cloth)
         });
         b.pad("pocket", [-0.6, s * 0.975 - 0.024, 0.12], [0.6, s * 0.975 + 0.024, 0.55], 0.01, trim);
     }
-    b.hollow("inside", [0.0, 0.0, 0.06], (0.82, 0.86), body - 0.08);
+    b.inner_floor("inside", [0.0, 0.0, 0.06], (0.82, 0.86), body - 0.08);
     let anchor = b.p([-0.95, 0.0, body]);
     b.hinge(anchor, [0.0, -1.0, 0.0], 1.9, |b| {
         let top = arc_outline((0.0, body), (0.95, 0.12), (0.0, std::f32::consts::PI), 9);
-        b.profile("lid", (-0.895, 0.895), &top, cloth);
+        b.side_outline("lid", (-0.895, 0.895), &top, cloth);
         b.slab("zip", [-0.03, -0.85, body + 0.11], [0.03, 0.85, body + 0.128], STEEL);
     });
     for s in SIDES {

@@ -2,8 +2,8 @@
 
 use vc_graph::portable::Portable;
 
-use super::case::{Look, frame, panel};
 use crate::material::*;
+use crate::object::joinery::{Front, frame, front_panel};
 use crate::solid::{Build, at_least};
 
 /// A folding screen of three or four leaves in a zigzag.
@@ -13,7 +13,7 @@ pub(super) fn room_divider(b: &mut Build<'_>) {
     let count = if y > 0.8 { 4 } else { 3 };
     let wood = b.choose(&[b.style.wood, BLACK, WHITE, b.style.wood]);
     let filling = b.choose(&[Some(CREAM_PAPER), Some(WICKER), Some(b.style.linen), None]);
-    let look = b.choose(&[Look::Louvred, Look::Reeded, Look::Framed]);
+    let look = b.choose(&[Front::Louvred, Front::Reeded, Front::Framed]);
     let t = (2.0 * x).min(0.024);
     let run = 2.0 * y / count as f32;
     // The corners of a leaf stay within the depth, of which its thickness takes some.
@@ -32,7 +32,7 @@ pub(super) fn room_divider(b: &mut Build<'_>) {
         let y0 = run * (i as f32 + 0.5) - y;
         b.at([0.0, y0, 0.0], turn, |b| {
             let (low, high) = ([-t / 2.0, -length / 2.0 + 0.001, 0.0], [t / 2.0, length / 2.0 - 0.001, h]);
-            let Some(mat) = filling else { return panel(b, "leaf", low, high, look, wood) };
+            let Some(mat) = filling else { return front_panel(b, "leaf", low, high, look, wood) };
             frame(b, "leaf", low, high, 0.03, wood);
             let (w, q) = (0.029, t * 0.2);
             b.block("panel", [low[0] + q, low[1] + w, w], [high[0] - q, high[1] - w, h - w], mat);

@@ -1,8 +1,8 @@
 //! Cabinets, sideboards and chests of drawers.
 
-use super::case::{Cell, Column, Look, Piece, Stand};
+use super::case::{Cell, Column, Piece, Stand};
 use crate::material::*;
-use crate::object::joinery::Handle;
+use crate::object::joinery::{Front, Handle};
 use crate::object::table::trolley::castor;
 use crate::solid::{Build, CORNERS, at_least};
 
@@ -18,7 +18,7 @@ fn dressed(b: &mut Build<'_>, columns: Vec<Column>) -> Piece {
     piece
 }
 
-fn doors(look: Look, spaces: usize) -> Column {
+fn doors(look: Front, spaces: usize) -> Column {
     (1.0, vec![(1.0, Cell::Doors(look, spaces))])
 }
 
@@ -34,7 +34,7 @@ fn spaces(tall: f32) -> usize {
 /// A sideboard of doors, drawers and open spaces.
 pub(super) fn sideboard(b: &mut Build<'_>) {
     at_least(b, [0.18, 0.5, 0.32]);
-    let look = b.choose(&[Look::Flat, Look::Flat, Look::Framed, Look::Reeded, Look::Louvred, Look::Glass]);
+    let look = b.choose(&[Front::Flat, Front::Flat, Front::Framed, Front::Reeded, Front::Louvred, Front::Glass]);
     let count = (b.size.y / 0.5).round().clamp(2.0, 5.0) as usize;
     let mut columns: Vec<Column> = match b.rng.below(4) {
         0 => (0..count).map(|_| doors(look, 2)).collect(),
@@ -52,7 +52,7 @@ pub(super) fn sideboard(b: &mut Build<'_>) {
 /// A long low piece for a television: flaps, drawers and open compartments.
 pub(super) fn tv_stand(b: &mut Build<'_>) {
     at_least(b, [0.16, 0.5, 0.18]);
-    let look = Look::any(b);
+    let look = Front::any(b);
     let flap: Column = (1.1, vec![(1.0, Cell::Flap(look))]);
     let open: Column = (1.0, vec![(1.0, Cell::Open(if b.size.z > 0.42 { 2 } else { 1 }))]);
     let columns: Vec<Column> = match b.rng.below(6) {
@@ -75,12 +75,12 @@ pub(super) fn tv_stand(b: &mut Build<'_>) {
 pub(super) fn cabinet(b: &mut Build<'_>) {
     at_least(b, [0.16, 0.28, 0.36]);
     let tall = b.size.z;
-    let look = b.choose(&[Look::Flat, Look::Framed, Look::Framed, Look::Reeded, Look::Louvred]);
+    let look = b.choose(&[Front::Flat, Front::Framed, Front::Framed, Front::Reeded, Front::Louvred]);
     let columns: Vec<Column> = match b.rng.below(if tall > 1.3 { 5 } else { 3 }) {
         0 => vec![doors(look, spaces(tall))],
         1 => vec![(1.0, vec![(0.74, Cell::Doors(look, spaces(tall * 0.74))), (0.26, Cell::Drawers(1))])],
         2 => vec![doors(look, spaces(tall)), (0.9, vec![(0.5, Cell::Drawers(3)), (0.5, Cell::Open(1))])],
-        3 => vec![(1.0, vec![(0.3, Cell::Drawers(2)), (0.7, Cell::Doors(Look::Glass, spaces(tall * 0.7)))])],
+        3 => vec![(1.0, vec![(0.3, Cell::Drawers(2)), (0.7, Cell::Doors(Front::Glass, spaces(tall * 0.7)))])],
         _ => vec![(1.0, vec![(0.45, Cell::Doors(look, 2)), (0.2, Cell::Open(1)), (0.35, Cell::Doors(look, 1))])],
     };
     let mut piece = dressed(b, columns);
@@ -94,10 +94,10 @@ pub(super) fn cabinet(b: &mut Build<'_>) {
 pub(super) fn display(b: &mut Build<'_>) {
     at_least(b, [0.15, 0.33, 0.5]);
     let tall = b.size.z;
-    let look = Look::any(b);
-    let lower = b.choose(&[Cell::Doors(look, 1), Cell::Drawers(2), Cell::Doors(look, 2), Cell::Doors(Look::Glass, 2)]);
+    let look = Front::any(b);
+    let lower = b.choose(&[Cell::Doors(look, 1), Cell::Drawers(2), Cell::Doors(look, 2), Cell::Doors(Front::Glass, 2)]);
     let share = b.vary(0.28, 0.42);
-    let stack = vec![(share, lower), (1.0 - share, Cell::Doors(Look::Glass, spaces(tall * (1.0 - share))))];
+    let stack = vec![(share, lower), (1.0 - share, Cell::Doors(Front::Glass, spaces(tall * (1.0 - share))))];
     let columns = if b.size.y > 1.25 { 2 } else { 1 };
     let mut piece = dressed(b, vec![(1.0, stack); columns]);
     piece.front = piece.body;
@@ -139,7 +139,7 @@ pub(super) fn dresser(b: &mut Build<'_>) {
 pub(super) fn tall_cabinet(b: &mut Build<'_>) {
     at_least(b, [0.17, 0.2, 0.6]);
     let (tall, wide) = (b.size.z, b.size.y);
-    let look = b.choose(&[Look::Flat, Look::Framed, Look::Framed, Look::Louvred]);
+    let look = b.choose(&[Front::Flat, Front::Framed, Front::Framed, Front::Louvred]);
     let columns: Vec<Column> = match b.class {
         "utility_cabinet" if wide > 0.5 => {
             vec![(0.8, vec![(1.0, Cell::Hang(look))]), (1.0, vec![(1.0, Cell::Doors(look, spaces(tall)))])]
@@ -169,7 +169,7 @@ pub(super) fn tall_cabinet(b: &mut Build<'_>) {
 /// A flat cabinet whose flaps tilt out, or a deeper one with doors.
 pub(super) fn shoe_cabinet(b: &mut Build<'_>) {
     at_least(b, [0.085, 0.27, 0.4]);
-    let look = Look::any(b);
+    let look = Front::any(b);
     let rows = (b.size.z / 0.4).round().clamp(1.0, 4.0) as usize;
     let across = if b.size.y > 0.8 { 2 } else { 1 };
     let columns: Vec<Column> = if b.size.x > 0.3 && b.rng.chance(0.5) {
@@ -221,7 +221,7 @@ pub(super) fn tool_cabinet(b: &mut Build<'_>) {
     let rows = b.rng.count(4, 6);
     let columns: Vec<Column> = match b.rng.below(3) {
         0 => vec![drawers(rows)],
-        1 => vec![drawers(rows), doors(Look::Flat, 2)],
+        1 => vec![drawers(rows), doors(Front::Flat, 2)],
         _ => vec![(1.0, vec![(0.35, Cell::Drawers(1)), (0.65, Cell::Drawers(rows))])],
     };
     let mut piece = Piece::new(columns, body);
@@ -253,7 +253,7 @@ pub(super) fn locker(b: &mut Build<'_>) {
     at_least(b, [0.18, 0.15, 0.6]);
     let body = b.choose(&[LIGHT_GREY, BLUE, GREY, GREEN, RED, YELLOW]);
     let two = b.rng.chance(0.35);
-    let cell = Cell::Hang(Look::Vented);
+    let cell = Cell::Hang(Front::Vented);
     let stack = if two { vec![(0.5, cell), (0.5, cell)] } else { vec![(1.0, cell)] };
     let mut piece = Piece::new(vec![(1.0, stack)], LIGHT_GREY);
     (piece.front, piece.handle, piece.carries) = (body, Handle::Knob, false);

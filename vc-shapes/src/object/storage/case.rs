@@ -3,10 +3,10 @@
 
 use std::f32::consts::FRAC_PI_2;
 
-use crate::material::{BLACK, GLASS, MIRROR, MaterialId};
-use crate::object::joinery::{BOARD, GAP, Handle, Side, drawer, handle};
+use crate::material::MaterialId;
+use crate::object::joinery::{BOARD, Front, GAP, Handle, Swing, drawer, front_panel, gapped, handle, leaf};
 use crate::object::table::frame::Four;
-use crate::solid::{Axis, Build, Cut, P};
+use crate::solid::{Build, Cut, P};
 
 /// The kind of a compartment.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -14,46 +14,20 @@ pub(in crate::object) enum Cell {
     /// Open in front, with this many spaces above each other.
     Open(usize),
     /// Behind doors, with this many spaces.
-    Doors(Look, usize),
+    Doors(Front, usize),
     /// This many drawers above each other.
     Drawers(usize),
     /// A rod under a shelf, behind doors.
-    Hang(Look),
+    Hang(Front),
     /// A rod under a shelf, without doors of its own.
     Rod,
     /// Behind a front that folds down.
-    Flap(Look),
+    Flap(Front),
 }
 
 impl Cell {
     fn has_front(self) -> bool {
         !matches!(self, Self::Open(_) | Self::Rod)
-    }
-}
-
-/// The design of a front.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(in crate::object) enum Look {
-    /// A plain board.
-    Flat,
-    /// A frame around a recessed panel.
-    Framed,
-    /// A frame around glass.
-    Glass,
-    /// A board with a mirror on it.
-    Mirror,
-    /// A frame with slanting slats.
-    Louvred,
-    /// Upright strips on a board.
-    Reeded,
-    /// Sheet metal with rows of slots.
-    Vented,
-}
-
-impl Look {
-    /// Draws a design of solid fronts.
-    pub(in crate::object) fn any(b: &mut Build<'_>) -> Self {
-        b.choose(&[Self::Flat, Self::Flat, Self::Framed, Self::Framed, Self::Reeded])
     }
 }
 
@@ -102,7 +76,7 @@ struct Space {
     front_y: (f32, f32),
     front_z: (f32, f32),
     /// The outer side, where a single door has its hinge.
-    hinge: Side,
+    hinge: Swing,
 }
 
 /// The ends of spaces that share a length by weight, with gaps between them.
@@ -146,7 +120,7 @@ impl Case {
             }
             let front_y =
                 (if i == 0 { low[1] } else { y.0 - t / 2.0 }, if i == last { high[1] } else { y.1 + t / 2.0 });
-            let hinge = if i == last { Side::Left } else { Side::Right };
+            let hinge = if i == last { Swing::Left } else { Swing::Right };
             let stack = shares(z0, z1, t, column.1.iter().map(|c| c.0));
             let top = stack.len().saturating_sub(1);
             for (k, (z, &(_, cell))) in stack.into_iter().zip(&column.1).enumerate() {
@@ -163,19 +137,19 @@ impl Case {
     fn cell(&self, b: &mut Build<'_>, cell: Cell, space: &Space, tally: &mut Tally) {
         match cell {
             Cell::Open(count) => self.shelves(b, space, count, 0.004, tally),
-            Cell::Doors(look, count) => {
+            Cell::Doors(design, count) => {
                 self.shelves(b, space, count, 0.02, tally);
-                self.doors(b, space, look, tally);
+                self.doors(b, space, design, tally);
             }
             Cell::Drawers(count) => self.drawers(b, space, count, tally),
-            Cell::Hang(look) => {
+            Cell::Hang(design) => {
                 self.rod(b, space, tally);
-                self.doors(b, space, look, tally);
+                self.doors(b, space, design, tally);
             }
             Cell::Rod => self.rod(b, space, tally),
-            Cell::Flap(look) => {
+            Cell::Flap(design) => {
                 self.shelves(b, space, 1, 0.02, tally);
-                self.flap(b, space, look, tally);
+                self.flap(b, space, design, tally);
             }
         }
     }
@@ -218,15 +192,15 @@ impl Case {
         }
     }
 
-    fn doors(&self, b: &mut Build<'_>, space: &Space, look: Look, tally: &mut Tally) {
+    fn doors(&self, b: &mut Build<'_>, space: &Space, design: Front, tally: &mut Tally) {
         let (y0, y1) = space.front_y;
         let middle = f32::midpoint(y0, y1);
-        let pair = [(y0, middle, Side::Right), (middle, y1, Side::Left)];
+        let pair = [(y0, middle, Swing::Right), (middle, y1, Swing::Left)];
         let single = [(y0, y1, space.hinge)];
         for &(y0, y1, side) in if y1 - y0 > 0.62 { &pair[..] } else { &single[..] } {
             let (low, high) = ([space.high[0], y0, space.front_z.0], [self.high[0], y1, space.front_z.1]);
             let name = next("door", &mut tally.doors);
-            leaf(b, &name, (low, high), side, (look, self.handle), (self.front, self.metal));
+            leaf(b, &name, (low, high), side, (design, self.handle), (self.front, self.metal));
         }
     }
 
@@ -245,114 +219,16 @@ impl Case {
         }
     }
 
-    fn flap(&self, b: &mut Build<'_>, space: &Space, look: Look, tally: &mut Tally) {
-        let ((y0, y1), (z0, z1), g) = (space.front_y, space.front_z, GAP / 2.0);
-        let (low, high) = ([space.high[0], y0 + g, z0 + g], [self.high[0], y1 - g, z1 - g]);
+    fn flap(&self, b: &mut Build<'_>, space: &Space, design: Front, tally: &mut Tally) {
+        let ((y0, y1), (z0, z1)) = (space.front_y, space.front_z);
+        let (low, high) = gapped([space.high[0], y0, z0], [self.high[0], y1, z1], GAP / 2.0);
         b.hinge([high[0], 0.0, low[2]], [0.0, 1.0, 0.0], FRAC_PI_2, |b| {
-            panel(b, &next("door", &mut tally.doors), low, high, look, self.front);
+            front_panel(b, &next("door", &mut tally.doors), low, high, design, self.front);
             let z = (high[2] - 0.05).max(f32::midpoint(low[2], high[2]));
             let length = ((y1 - y0) * 0.4).min(0.2);
             handle(b, self.handle, [high[0], f32::midpoint(y0, y1), z], length, false, self.metal);
         });
     }
-}
-
-/// A hinged front of a given design that fills a rectangle with a gap around it.
-pub(in crate::object) fn leaf(
-    b: &mut Build<'_>,
-    name: &str,
-    (low, high): (P, P),
-    side: Side,
-    (look, kind): (Look, Handle),
-    mats: (MaterialId, MaterialId),
-) {
-    let g = GAP / 2.0;
-    let (low, high) = ([low[0], low[1] + g, low[2] + g], [high[0], high[1] - g, high[2] - g]);
-    let inset = 0.035_f32.min((high[1] - low[1]) * 0.2);
-    let (hinge, grip, turn) = match side {
-        Side::Left => (high[1], low[1] + inset, 1.0),
-        Side::Right => (low[1], high[1] - inset, -1.0),
-    };
-    b.hinge([high[0], hinge, low[2]], [0.0, 0.0, turn], FRAC_PI_2 * 1.1, |b| {
-        panel(b, name, low, high, look, mats.0);
-        let tall = high[2] - low[2];
-        let length = (tall * 0.35).min(0.18);
-        // At hand height, as far as the door extends that far.
-        let margin = (length / 2.0 + 0.04).min(tall / 2.0);
-        let z = 1.05_f32.min(high[2] - margin).max(low[2] + margin);
-        handle(b, kind, [high[0], grip, z], length, true, mats.1);
-    });
-}
-
-/// A front between two corners, facing X.
-pub(in crate::object) fn panel(b: &mut Build<'_>, name: &str, low: P, high: P, look: Look, mat: MaterialId) {
-    let (wide, tall, thick) = (high[1] - low[1], high[2] - low[2], high[0] - low[0]);
-    let w = 0.055_f32.min(wide.min(tall) * 0.22);
-    let inner = |x0: f32, x1: f32| ([x0, low[1] + w, low[2] + w], [x1, high[1] - w, high[2] - w]);
-    match look {
-        Look::Flat => b.block(name, low, high, mat),
-        Look::Framed => {
-            frame(b, name, low, high, w, mat);
-            let (l, h) = inner(low[0] + 0.001, high[0] - thick * 0.4);
-            b.block("panel", l, h, mat);
-        }
-        Look::Glass => {
-            frame(b, name, low, high, w, mat);
-            let (l, h) = inner(low[0] + thick * 0.4, low[0] + thick * 0.7);
-            b.block("pane", l, h, GLASS);
-        }
-        Look::Mirror => {
-            let face = high[0] - thick * 0.2;
-            b.block(name, low, [face, high[1], high[2]], mat);
-            let rim = 0.01_f32.min(w);
-            b.block("mirror", [face, low[1] + rim, low[2] + rim], [high[0], high[1] - rim, high[2] - rim], MIRROR);
-        }
-        Look::Louvred => {
-            frame(b, name, low, high, w, mat);
-            // A thin panel behind the slats hides the contents.
-            let (l, h) = inner(low[0] + 0.001, low[0] + thick * 0.2);
-            b.block("panel", l, h, mat);
-            let count = ((tall - 2.0 * w) / 0.055).clamp(2.0, 14.0) as usize;
-            let pitch = (tall - 2.0 * w) / count as f32;
-            for i in 0..count {
-                let z = low[2] + w + pitch * i as f32;
-                let (x0, x1) = (low[0] + thick * 0.2 - 0.0005, high[0] - 0.002);
-                let outline = [(x0, z + pitch * 0.55), (x1, z), (x1, z + pitch * 0.4), (x0, z + pitch * 0.95)];
-                b.prism("slat", Axis::Y, [0.0, low[1] + w, 0.0], &outline, wide - 2.0 * w, mat);
-            }
-        }
-        Look::Vented => {
-            let face = high[0] - 0.001;
-            b.block(name, low, [face, high[1], high[2]], mat);
-            for (i, end) in (0..4).flat_map(|i| [(i, high[2] - w), (i, low[2] + w + 0.06)]) {
-                let z = end - 0.018 * i as f32;
-                b.block(
-                    "vent",
-                    [face - 0.002, low[1] + wide * 0.3, z - 0.006],
-                    [high[0], high[1] - wide * 0.3, z],
-                    BLACK,
-                );
-            }
-        }
-        Look::Reeded => {
-            let face = high[0] - thick * 0.4;
-            b.block(name, low, [face, high[1], high[2]], mat);
-            let count = (wide / 0.045).clamp(3.0, 14.0) as usize;
-            let pitch = wide / count as f32;
-            for i in 0..count {
-                let y = low[1] + pitch * i as f32;
-                b.block("reed", [face, y + pitch * 0.2, low[2]], [high[0], y + pitch * 0.8, high[2]], mat);
-            }
-        }
-    }
-}
-
-/// Four boards around a rectangle, `w` wide.
-pub(in crate::object) fn frame(b: &mut Build<'_>, name: &str, low: P, high: P, w: f32, mat: MaterialId) {
-    b.block(name, low, [high[0], low[1] + w, high[2]], mat);
-    b.block(name, [low[0], high[1] - w, low[2]], high, mat);
-    b.block(name, [low[0], low[1] + w, low[2]], [high[0], high[1] - w, low[2] + w], mat);
-    b.block(name, [low[0], low[1] + w, high[2] - w], [high[0], high[1] - w, high[2]], mat);
 }
 
 /// The stand of a case.

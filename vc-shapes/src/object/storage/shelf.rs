@@ -1,8 +1,8 @@
 //! Bookcases and shelves.
 
-use super::case::{Case, Cell, Column, Look, Piece, Stand};
+use super::case::{Case, Cell, Column, Piece, Stand};
 use crate::material::*;
-use crate::object::joinery::{BOARD, Handle};
+use crate::object::joinery::{BOARD, Front, Handle};
 use crate::object::table::frame::Four;
 use crate::solid::{Axis, Build, CORNERS, Cut, P, at_least, leg};
 
@@ -52,7 +52,7 @@ pub(super) fn bookshelf(b: &mut Build<'_>) {
 
 /// The closed part at the foot of a bookcase, and its height relative to a compartment.
 fn foot(b: &mut Build<'_>) -> (f32, Cell) {
-    let look = b.choose(&[Look::Flat, Look::Framed, Look::Framed]);
+    let look = b.choose(&[Front::Flat, Front::Framed, Front::Framed]);
     b.choose(&[(0.6, Cell::Drawers(1)), (1.0, Cell::Drawers(2)), (1.1, Cell::Doors(look, 1))])
 }
 

@@ -1,8 +1,8 @@
 //! Wardrobes and closets.
 
-use super::case::{Case, Cell, Column, Look, Piece, Stand, panel};
+use super::case::{Case, Cell, Column, Piece, Stand};
 use crate::material::*;
-use crate::object::joinery::{BOARD, GAP, Handle, drawer};
+use crate::object::joinery::{BOARD, Front, GAP, Handle, drawer, front_panel};
 use crate::solid::{Build, at_least};
 
 /// A wardrobe with hinged doors or sliding ones: a rod under a shelf, shelves, drawers.
@@ -15,13 +15,13 @@ pub(super) fn wardrobe(b: &mut Build<'_>) {
     }
     // One column for each pair of doors, each about half a metre wide.
     let doors = (b.size.y / 0.5).round().clamp(1.0, 6.0) as usize;
-    let look = b.choose(&[Look::Flat, Look::Flat, Look::Framed, Look::Framed, Look::Louvred, Look::Reeded]);
+    let look = b.choose(&[Front::Flat, Front::Flat, Front::Framed, Front::Framed, Front::Louvred, Front::Reeded]);
     let mirror = b.rng.chance(0.25);
     let below = b.rng.chance(0.4);
     let columns: Vec<Column> = (0..doors.div_ceil(2))
         .map(|i| {
             let leaves = (doors - 2 * i).min(2);
-            let look = if mirror && i == 0 { Look::Mirror } else { look };
+            let look = if mirror && i == 0 { Front::Mirror } else { look };
             let cell = if i % 2 == 1 || (leaves == 1 && doors > 1) { Cell::Doors(look, 5) } else { Cell::Hang(look) };
             let stack = if below { vec![(0.2, Cell::Drawers(1)), (0.8, cell)] } else { vec![(1.0, cell)] };
             (leaves as f32, stack)
@@ -60,7 +60,7 @@ fn slider(b: &mut Build<'_>, closet: bool) {
     b.block("track", [inner - 0.002, 0.001 - y, z1 + 0.004], [x, y - 0.001, h - 0.001], metal);
     let wide = 2.0 * y / count as f32;
     let mirrored = b.rng.below(count + 2);
-    let look = b.choose(&[Look::Flat, Look::Framed, Look::Flat]);
+    let look = b.choose(&[Front::Flat, Front::Framed, Front::Flat]);
     for i in 0..count {
         // Panels alternate between the two rails; each slides over its neighbour.
         let rail = if i % 2 == 0 { x - 0.026 } else { inner + 0.006 };
@@ -68,9 +68,9 @@ fn slider(b: &mut Build<'_>, closet: bool) {
         let lap = |edge: f32| if edge.abs() > y - 0.001 { GAP } else { -0.015 };
         let (low, high) = ([rail, a + lap(a), z0], [rail + 0.022, c - lap(c), z1]);
         let way = if i + 1 == count { -1.0 } else { 1.0 };
-        let look = if i == mirrored { Look::Mirror } else { look };
+        let look = if i == mirrored { Front::Mirror } else { look };
         b.slide([0.0, way, 0.0], wide - 0.03, |b| {
-            panel(b, &format!("door_{}", i + 1), low, high, look, front);
+            front_panel(b, &format!("door_{}", i + 1), low, high, look, front);
             for edge in [low[1], high[1] - 0.02] {
                 let (from, to) =
                     ([low[0] - 0.001, edge + 0.001, z0 + 0.001], [high[0] + 0.003, edge + 0.019, z1 - 0.001]);

@@ -25,9 +25,9 @@ const METALS: &[MaterialId] = &[IRON, GREEN_METAL, BLACK_METAL, GALVANISED, ANTH
 impl Fill {
     fn mat(self, b: &mut Build<'_>) -> MaterialId {
         match self {
-            Self::Railings | Self::Mesh => b.choose(METALS),
+            Self::Railings | Self::Mesh => b.one_of(METALS),
             Self::Bamboo => BAMBOO,
-            _ => b.choose(WOODS),
+            _ => b.one_of(WOODS),
         }
     }
 }

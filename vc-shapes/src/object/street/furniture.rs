@@ -5,7 +5,7 @@ use std::f32::consts::{PI, TAU};
 use vc_graph::portable::Portable;
 
 use crate::material::*;
-use crate::solid::{Axis, Build, CORNERS, P, at_least, polar, polygon, spaced};
+use crate::solid::{Axis, Build, CORNERS, P, at_least, evenly_spaced_ellipse, polar, polygon, spaced};
 
 /// A fire hydrant: a capped pillar with outlets; its spindle rotates.
 pub(super) fn hydrant(b: &mut Build<'_>) {
@@ -319,7 +319,7 @@ pub(super) fn dog_chain(b: &mut Build<'_>) {
     let loop_r = (h * 0.5).min(y * 0.35);
     let (low, high) = (-y + loop_r, y * 0.4);
     let (a, c, middle) = (x - link - wire, (high - low) / 2.0, f32::midpoint(low, high));
-    let around = oval(a, c, 1.85 * link);
+    let around = evenly_spaced_ellipse((a, c), 1.85 * link);
     let turns = if around.len() > 7 { 1 } else { 2 };
     let section = [(0.0, wire), (wire, 0.0), (0.0, -wire), (-wire, 0.0), (0.0, wire)];
     let ring: Vec<(f32, f32)> = section.iter().map(|p| (link + p.0, wire + p.1)).collect();
@@ -335,21 +335,4 @@ pub(super) fn dog_chain(b: &mut Build<'_>) {
     let strap = [(loop_r, -wide), (loop_r, wide), (inner, wide), (inner, -wide), (loop_r, -wide)];
     let centre = [0.0, -y + loop_r, loop_r];
     b.lathe_along("loop", centre, [1.0, centre[1], centre[2]], &strap, BROWN_LEATHER);
-}
-
-/// Points around an ellipse, spaced as evenly as an integer number of steps of about `step` allows.
-fn oval(a: f32, c: f32, step: f32) -> Vec<(f32, f32)> {
-    const FINE: usize = 96;
-    let at = |i: usize| {
-        let (x, y) = polar(TAU * i as f32 / FINE as f32, 1.0);
-        (x * a, y * c)
-    };
-    let mut walked = vec![0.0_f32];
-    for i in 0..FINE {
-        let ((x0, y0), (x1, y1)) = (at(i), at(i + 1));
-        walked.push(walked[i] + (x1 - x0).hypotenuse(y1 - y0));
-    }
-    let count = (walked[FINE] / step).ceil().clamp(3.0, 24.0) as usize;
-    let place = |k: usize| walked.partition_point(|w| *w < walked[FINE] * k as f32 / count as f32);
-    (0..count).map(|k| at(place(k))).collect()
 }

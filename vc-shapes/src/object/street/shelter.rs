@@ -128,7 +128,7 @@ pub(super) fn phone_booth(b: &mut Build<'_>) {
     at_least(b, [0.42, 0.42, 1.1]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let classic = b.rng.chance(0.6);
-    let mat = b.choose(if classic {
+    let mat = b.one_of(if classic {
         &[RED_METAL, RED_METAL, GREEN_METAL, BLACK_METAL]
     } else {
         &[SILVER_METAL, BLUE_METAL, ANTHRACITE, YELLOW_METAL]

@@ -163,7 +163,7 @@ fn plate(b: &mut Build<'_>, kind: &Plate, half: f32, at: P, thick: f32) {
     b.prism("plate", Axis::X, at, &outline(1.0), thick * 0.5, kind.rim);
     let share = if kind.corners == 3 || kind.rim == RED { 0.8 } else { 0.93 };
     b.prism("face", Axis::X, [at[0] + thick * 0.45, at[1], at[2]], &outline(share), thick * 0.25, kind.face);
-    let drawing = b.choose(kind.drawings);
+    let drawing = b.one_of(kind.drawings);
     let size = (half * kind.inset.0 * kind.stretch.0.min(1.0), half * kind.inset.0 * kind.stretch.1.min(1.0));
     let centre = [at[0] + thick * 0.7, at[1], at[2] + kind.inset.1 * half];
     draw(b, drawing, centre, size, thick * 0.3, kind.ink);

@@ -7,6 +7,7 @@ use vc_graph::asset::JointKind;
 
 use crate::material::*;
 use crate::object::cooker::fitting::*;
+use crate::object::joinery::{Swing, swing};
 use crate::solid::{Axis, Build, P, fit, half_dims, plate_with_hole};
 
 /// How far trims protrude from the wall, and how far they overlap it.

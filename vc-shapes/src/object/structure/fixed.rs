@@ -1,7 +1,7 @@
 //! Switches, sockets, columns, railings, stairs and grilles.
 
 use crate::material::*;
-use crate::object::cooker::fitting::*;
+use crate::object::joinery::{Swing, gapped, swing};
 use crate::solid::{Axis, Build, P, case, collar, fit, half_dims, plate_with_border};
 
 /// A plate with one to three rockers, or a knob to turn.

@@ -3,7 +3,7 @@
 use vc_graph::asset::JointKind;
 
 use crate::material::*;
-use crate::object::cooker::fitting::*;
+use crate::object::joinery::{Swing, swing};
 use crate::solid::{Axis, Build, P, collar, fit, half_dims, plate_with_border, plate_with_hole};
 
 /// A frame with one or two sashes that open into the room, a sill and a lining inside.

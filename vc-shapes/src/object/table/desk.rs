@@ -3,8 +3,8 @@
 use super::frame::Four;
 use super::{Base, Outline, Table};
 use crate::material::*;
-use crate::object::joinery::{BOARD, Handle};
-use crate::object::storage::case::{Case, Cell, Column, Look, Piece, Stand, Tally};
+use crate::object::joinery::{BOARD, Front, Handle};
+use crate::object::storage::case::{Case, Cell, Column, Piece, Stand, Tally};
 use crate::solid::{Build, Cut, P, at_least};
 
 /// Drawers side by side below a top, in a shallow case.
@@ -71,7 +71,7 @@ fn pedestals(b: &mut Build<'_>, table: &Table, sides: &[f32]) {
     let wide = (y * 0.55).min(0.42);
     let columns: Vec<Column> = match b.rng.below(3) {
         0 => vec![(1.0, vec![(1.0, Cell::Drawers(3))])],
-        1 => vec![(1.0, vec![(0.6, Cell::Doors(Look::Flat, 1)), (0.4, Cell::Drawers(1))])],
+        1 => vec![(1.0, vec![(0.6, Cell::Doors(Front::Flat, 1)), (0.4, Cell::Drawers(1))])],
         _ => vec![(1.0, vec![(0.5, Cell::Drawers(1)), (0.5, Cell::Drawers(2))])],
     };
     let mut tally = Tally::default();
@@ -198,7 +198,7 @@ pub(super) fn nightstand(b: &mut Build<'_>) {
         1 => vec![(0.55, Cell::Open(1)), (0.45, Cell::Drawers(1))],
         2 => vec![(0.6, Cell::Drawers(1)), (0.4, Cell::Open(1))],
         3 => {
-            let look = Look::any(b);
+            let look = Front::any(b);
             vec![(0.62, Cell::Doors(look, 1)), (0.38, Cell::Drawers(1))]
         }
         _ => vec![(1.0, Cell::Drawers(if b.size.z > 0.55 { 3 } else { 2 }))],

@@ -85,7 +85,7 @@ impl Table {
         at_least(b, [0.13, 0.17, 0.13]);
         let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
         let square = x.max(y) < x.min(y) * 1.2;
-        let outline = if square && b.rng.chance(0.55) { Outline::Oval } else { b.choose(outlines) };
+        let outline = if square && b.rng.chance(0.55) { Outline::Oval } else { b.one_of(outlines) };
         let wood = if b.rng.chance(0.8) { b.style.wood } else { b.style.cabinet };
         let thickness = b.vary(0.022, 0.045).min(h * 0.08);
         Self { x, y, h, thickness, outline, wood, top: wood, metal: b.style.metal }
@@ -329,8 +329,8 @@ const LONG: &[Outline] =
 /// A base that suits an outline: bases with end panels need straight ends.
 fn suited(b: &mut Build<'_>, table: &Table, straight: &[Base], curved: &[Base]) -> Base {
     match table.outline {
-        Outline::Rect | Outline::Rounded => b.choose(straight),
-        _ => b.choose(curved),
+        Outline::Rect | Outline::Rounded => b.one_of(straight),
+        _ => b.one_of(curved),
     }
 }
 

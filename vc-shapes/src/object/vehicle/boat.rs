@@ -75,7 +75,7 @@ pub(super) fn rowing_boat(b: &mut Build<'_>) {
         rocker: 0.3,
         skin: 0.02,
     };
-    let mat = b.choose(PAINTS);
+    let mat = b.one_of(PAINTS);
     lines.build(b, (x, y, h), mat);
     let wood = b.choose(&[PINE, OAK, TEAK, MAHOGANY]);
     let floor = h * 0.2;

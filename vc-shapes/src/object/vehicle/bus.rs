@@ -14,7 +14,7 @@ use crate::solid::{Axis, Build, at_least, spaced};
 pub(super) fn bus(b: &mut Build<'_>) {
     at_least(b, [4.0, 1.2, 1.4]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let paint = b.choose(PAINTS);
+    let paint = b.one_of(PAINTS);
     let second = b.choose(&[WHITE_METAL, paint, YELLOW_METAL, ANTHRACITE]);
     let wheel = h * b.vary(0.145, 0.16);
     let (low, floor) = (h * 0.1, h * b.vary(0.17, 0.24));

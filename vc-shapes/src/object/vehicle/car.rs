@@ -190,7 +190,7 @@ pub(super) fn car(b: &mut Build<'_>) {
     let paint = match b.class {
         "taxi" => b.choose(&[YELLOW_METAL, YELLOW_METAL, BLACK_METAL, CREAM]),
         "police_car" | "ambulance" => WHITE_METAL,
-        _ => b.choose(PAINTS),
+        _ => b.one_of(PAINTS),
     };
     let h = b.size.z;
     let extra: f32 = match b.class {

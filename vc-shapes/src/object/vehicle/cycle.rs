@@ -15,7 +15,7 @@ pub(super) fn bicycle(b: &mut Build<'_>) {
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
     let cargo = b.class == "cargo_bike";
     let town = cargo || b.rng.chance(0.5);
-    let frame = b.choose(PAINTS);
+    let frame = b.one_of(PAINTS);
     let tyre = (b.vary(0.012, 0.028) * h.min(1.2)).min(y * 0.1);
     let r = (h * b.vary(0.3, 0.325)).min(x * 0.38);
     let front_r = if cargo { r * 0.75 } else { r };
@@ -220,7 +220,7 @@ fn cargo_bed(b: &mut Build<'_>, down: P, (fore, front_r, spread): (f32, f32, f32
 pub(super) fn motorcycle(b: &mut Build<'_>) {
     at_least(b, [1.0, 0.38, 0.52]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let paint = b.choose(PAINTS);
+    let paint = b.one_of(PAINTS);
     let r = (h * b.vary(0.25, 0.275)).min(x * 0.36);
     let tyre = (r * b.vary(0.17, 0.23)).min(y * 0.17);
     let cast = b.rng.chance(0.6);
@@ -389,7 +389,7 @@ fn bars(b: &mut Build<'_>, head: P, y: f32, h: f32) {
 pub(super) fn scooter(b: &mut Build<'_>) {
     at_least(b, [0.85, 0.32, 0.52]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let (paint, r) = (b.choose(PAINTS), (h * b.vary(0.18, 0.21)).min(x * 0.28));
+    let (paint, r) = (b.one_of(PAINTS), (h * b.vary(0.18, 0.21)).min(x * 0.28));
     let tyre = r * 0.24;
     let (rear, fore) = (-x + r + 0.04, x - r);
     spoked(b, "wheel_r", [rear, 0.0, r], r, tyre, true, ALUMINIUM);

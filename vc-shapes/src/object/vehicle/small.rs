@@ -24,7 +24,7 @@ fn four_wheels(b: &mut Build<'_>, [fore, rear]: [f32; 2], half: f32, (r, width):
 pub(super) fn quad_bike(b: &mut Build<'_>) {
     at_least(b, [0.9, 0.5, 0.55]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let (paint, r) = (b.choose(PAINTS), (h * b.vary(0.23, 0.26)).min(x * 0.3));
+    let (paint, r) = (b.one_of(PAINTS), (h * b.vary(0.23, 0.26)).min(x * 0.3));
     let width = y * b.vary(0.38, 0.46);
     let axles = [x - r - 0.01, -x + r + 0.01];
     four_wheels(b, axles, y, (r, width), y * 0.3);

@@ -11,7 +11,7 @@ pub(super) fn truck(b: &mut Build<'_>) {
     at_least(b, [3.0, 1.1, 1.3]);
     let (l, h) = (b.size.x, b.size.z);
     let cab = b.size.x / 2.0 - (l * b.vary(0.17, 0.25)).clamp(1.0, 2.6);
-    let paint = b.choose(PAINTS);
+    let paint = b.one_of(PAINTS);
     let chassis = lorry(b, cab, paint);
     let high = match b.rng.below(3) {
         0 => h * b.vary(0.82, 0.98),

@@ -108,7 +108,7 @@ fn grab_ladder(b: &mut Build<'_>, at: P, (over, below): (f32, f32), back: f32) {
 pub(super) fn kiddie_pool(b: &mut Build<'_>) {
     at_least(b, [0.4, 0.4, 0.1]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let base = b.choose(BRIGHT);
+    let base = b.one_of(BRIGHT);
     if (x - y).abs() < 0.25 || b.rng.chance(0.5) {
         let r = x.min(y);
         let rings = b.rng.count(2, 4);
@@ -116,7 +116,7 @@ pub(super) fn kiddie_pool(b: &mut Build<'_>) {
         let level = (s * (1.86 * rings as f32 - 1.1)).max(0.03);
         b.cylinder("floor", [0.0, 0.0, 0.001], r - s, 0.02, base);
         for i in 0..rings {
-            let mat = if i % 2 == 0 { base } else { b.choose(BRIGHT) };
+            let mat = if i % 2 == 0 { base } else { b.one_of(BRIGHT) };
             b.lathe("ring", [0.0, 0.0, 1.86 * s * i as f32], &torus_profile(r - s, s), mat);
         }
         b.cylinder("water", [0.0, 0.0, 0.01], r - 1.5 * s, level - 0.01, POOL_WATER);

@@ -12,7 +12,7 @@ use crate::solid::{Build, P, at_least, limb, polar, polygon, spaced, torus_profi
 pub(super) fn pool_float(b: &mut Build<'_>) {
     at_least(b, [0.3, 0.8, 0.06]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let (mat, second) = (b.choose(BRIGHT), b.choose(&[WHITE_PLASTIC, YELLOW_PLASTIC, BLUE_PLASTIC, PINK_PLASTIC]));
+    let (mat, second) = (b.one_of(BRIGHT), b.choose(&[WHITE_PLASTIC, YELLOW_PLASTIC, BLUE_PLASTIC, PINK_PLASTIC]));
     let pillow = h * b.vary(0.2, 0.35);
     let flat = h - pillow;
     let across = b.rng.chance(0.5);
@@ -55,7 +55,7 @@ pub(super) fn pool_float(b: &mut Build<'_>) {
 pub(super) fn swim_ring(b: &mut Build<'_>) {
     at_least(b, [0.25, 0.25, 0.07]);
     let (r, h) = (b.size.x.min(b.size.y) / 2.0, b.size.z);
-    let (mat, second) = (b.choose(BRIGHT), b.choose(&[WHITE_PLASTIC, YELLOW_PLASTIC, BLUE_PLASTIC]));
+    let (mat, second) = (b.one_of(BRIGHT), b.choose(&[WHITE_PLASTIC, YELLOW_PLASTIC, BLUE_PLASTIC]));
     let animal = h > 0.17 && b.rng.chance(0.5);
     let s = (if animal { h * 0.32 } else { h / 2.0 }).min(r * b.vary(0.27, 0.33));
     b.lathe("ring", [0.0; 3], &torus_profile(r - s, s), mat);
@@ -152,7 +152,7 @@ pub(super) fn buoy(b: &mut Build<'_>) {
 pub(super) fn pool_noodle(b: &mut Build<'_>) {
     at_least(b, [0.03, 0.4, 0.03]);
     let (r, y) = (b.size.x.min(b.size.z) / 2.0, b.size.y / 2.0);
-    let mat = b.choose(BRIGHT);
+    let mat = b.one_of(BRIGHT);
     let hole = r * b.vary(0.25, 0.4);
     b.lathe_along(
         "noodle",
@@ -168,8 +168,8 @@ pub(super) fn beach_ball(b: &mut Build<'_>) {
     at_least(b, [0.1, 0.1, 0.1]);
     let r = b.size.min() / 2.0;
     let segments = b.choose(&[6, 8]);
-    let (first, second) = (b.choose(BRIGHT), b.choose(&[WHITE_PLASTIC, YELLOW_PLASTIC, BLUE_PLASTIC]));
-    let third = b.choose(BRIGHT);
+    let (first, second) = (b.one_of(BRIGHT), b.choose(&[WHITE_PLASTIC, YELLOW_PLASTIC, BLUE_PLASTIC]));
+    let third = b.one_of(BRIGHT);
     let cap = 0.18;
     for i in 0..segments {
         let mut points: Vec<P> = Vec::new();

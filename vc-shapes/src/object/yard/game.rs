@@ -30,7 +30,7 @@ fn net(b: &mut Build<'_>, at: P, u: P, v: P, (nu, nv): (usize, usize), r: f32, m
 pub(super) fn pool_goal(b: &mut Build<'_>) {
     at_least(b, [0.2, 0.45, 0.3]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let (mat, second) = (b.choose(BRIGHT), b.choose(&[WHITE_PLASTIC, YELLOW_PLASTIC, BLUE_PLASTIC]));
+    let (mat, second) = (b.one_of(BRIGHT), b.choose(&[WHITE_PLASTIC, YELLOW_PLASTIC, BLUE_PLASTIC]));
     let r = b.vary(0.035, 0.055).min(x * 0.2);
     floats(b, (x, y), r, mat);
     let (front, back) = (x - 2.2 * r, -x + 1.2 * r);
@@ -55,7 +55,7 @@ pub(super) fn pool_goal(b: &mut Build<'_>) {
 pub(super) fn pool_volleyball(b: &mut Build<'_>) {
     at_least(b, [0.15, 1.2, 0.3]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let (mat, second) = (b.choose(BRIGHT), b.choose(&[WHITE_PLASTIC, YELLOW_PLASTIC, BLUE_PLASTIC]));
+    let (mat, second) = (b.one_of(BRIGHT), b.choose(&[WHITE_PLASTIC, YELLOW_PLASTIC, BLUE_PLASTIC]));
     let r = b.vary(0.04, 0.06).min(x * 0.3);
     for s in [-1.0, 1.0] {
         let cy = s * (y - x.min(0.25));
@@ -74,7 +74,7 @@ pub(super) fn pool_volleyball(b: &mut Build<'_>) {
 pub(super) fn pool_basketball(b: &mut Build<'_>) {
     at_least(b, [0.25, 0.25, 0.3]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let (mat, ring_mat) = (b.choose(BRIGHT), b.choose(&[ORANGE_PLASTIC, RED_PLASTIC, WHITE_PLASTIC]));
+    let (mat, ring_mat) = (b.one_of(BRIGHT), b.choose(&[ORANGE_PLASTIC, RED_PLASTIC, WHITE_PLASTIC]));
     let (half, r) = (x.min(y), b.vary(0.05, 0.07).min(x * 0.2));
     b.lathe("float", [0.0; 3], &torus_profile(half - r, r), mat);
     b.cylinder("floor", [0.0, 0.0, r * 0.8], half - r, 0.006, mat);

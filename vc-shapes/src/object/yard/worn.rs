@@ -8,7 +8,7 @@ use crate::solid::{Axis, Build, P, at_least, limb, spaced};
 pub(super) fn diving_mask(b: &mut Build<'_>) {
     at_least(b, [0.025, 0.075, 0.02]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let (mat, strap) = (b.choose(BRIGHT), b.choose(&[BLACK_PLASTIC, GREY_RUBBER]));
+    let (mat, strap) = (b.one_of(BRIGHT), b.choose(&[BLACK_PLASTIC, GREY_RUBBER]));
     let glass = BLUE_GLASS;
     let snorkel = h > 0.16;
     let tall = if h > 0.07 { h.min(0.11) } else { h };
@@ -86,7 +86,7 @@ pub(super) fn diving_mask(b: &mut Build<'_>) {
 pub(super) fn swim_fins(b: &mut Build<'_>) {
     at_least(b, [0.15, 0.08, 0.03]);
     let (x, y, h) = (b.size.x / 2.0, b.size.y / 2.0, b.size.z);
-    let (mat, rubber) = (b.choose(BRIGHT), b.choose(&[BLACK_PLASTIC, GREY_RUBBER, RUBBER]));
+    let (mat, rubber) = (b.one_of(BRIGHT), b.choose(&[BLACK_PLASTIC, GREY_RUBBER, RUBBER]));
     let half = y * 0.49;
     let shoe = -x + 2.0 * x * b.vary(0.38, 0.46);
     for s in [-1.0, 1.0] {

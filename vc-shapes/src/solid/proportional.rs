@@ -1,36 +1,33 @@
-//! Building by proportion: positions are fractions of the object's size, X and Y from -1 to 1, Z
-//! from 0 to 1; radii and thicknesses are in metres.
+//! The vocabulary in its proportional form, for things that keep their look in any size: positions are fractions of
+//! the size to fill, X and Y from -1 to 1, Z from 0 to 1. Radii and thicknesses are metres, as in all of the
+//! vocabulary, and a round part is moved so that it stays within the size.
+//!
+//! | here | in metres |
+//! |---|---|
+//! | `slab`, `pad`, `chunk` | [`Build::block`], [`Build::rounded_block`], [`Build::hull`] |
+//! | `pole`, `bent_rod`, `wheel`, `torus` | [`Build::rod`], [`Build::pipe`], [`Build::rod`], [`Build::lathe_along`] |
+//! | `front_outline`, `side_outline`, `plan_outline` | [`Build::prism`] along X, Y and Z |
+//! | `skin`, `ellipsoid`; `plank`, `layer` | [`Build::mesh`] over rings; [`Build::hull`] of a flat bar |
+//! | `deck`, `inner_floor` | [`Build::top`], [`Build::inside`] |
 
 use std::f32::consts::TAU;
 
 use nalgebra::{UnitQuaternion, Vector3};
 use vc_graph::portable::Portable;
 
-use crate::material::*;
-use crate::solid::{Axis, Build, P, heading, skinned};
+use super::build::{Axis, Build, P};
+use super::skin::{heading, skinned};
+use crate::material::MaterialId;
 
-/// Bright plastics.
-pub(in crate::object) const BRIGHT: &[MaterialId] =
-    &[RED_PLASTIC, BLUE_PLASTIC, GREEN_PLASTIC, YELLOW_PLASTIC, ORANGE_PLASTIC, PURPLE_PLASTIC, PINK_PLASTIC];
-/// Paints of toys and machines.
-pub(in crate::object) const PAINTS: &[MaterialId] = &[RED, BLUE, GREEN, YELLOW, ORANGE, SKY, DUSTY_ROSE, FOREST, NAVY];
-/// Printed card.
-pub(in crate::object) const CARDS: &[MaterialId] =
-    &[RED_CARD, BLUE_CARD, GREEN_CARD, YELLOW_CARD, ORANGE_CARD, PURPLE_CARD, TEAL_CARD, PINK_CARD];
-/// Bright fabrics.
-pub(in crate::object) const CLOTHS: &[MaterialId] =
-    &[RED_FABRIC, BLUE_FABRIC, GREEN_FABRIC, MUSTARD_FABRIC, TEAL_FABRIC, ROSE_FABRIC, PURPLE_FABRIC, NAVY_FABRIC];
-/// Pale woods of toys.
-pub(in crate::object) const TOY_WOODS: &[MaterialId] = &[BEECH, BIRCH, MAPLE, PINE];
 /// The two sides of an axis.
-pub(in crate::object) const SIDES: [f32; 2] = [-1.0, 1.0];
+pub(crate) const SIDES: [f32; 2] = [-1.0, 1.0];
 
-/// A ring of a [skin](Scaled::skin): centre and half widths along the two other axes, in the order
+/// A ring of a [skin](Proportional::skin): centre and half widths along the two other axes, in the order
 /// X, Y, Z.
-pub(in crate::object) type Ring = (P, f32, f32);
+pub(crate) type Ring = (P, f32, f32);
 
 /// Parts whose positions are fractions of the size.
-pub(in crate::object) trait Scaled {
+pub(crate) trait Proportional {
     /// The position in metres.
     fn p(&self, at: P) -> P;
     /// The position in metres, moved so that a part extending `reach` around it stays within the
@@ -44,17 +41,17 @@ pub(in crate::object) trait Scaled {
     /// A straight cylinder.
     fn pole(&mut self, name: &str, from: P, to: P, radius: f32, mat: MaterialId);
     /// A bent round bar.
-    fn tube(&mut self, name: &str, points: &[P], radius: f32, mat: MaterialId);
+    fn bent_rod(&mut self, name: &str, points: &[P], radius: f32, mat: MaterialId);
     /// A convex hull.
     fn chunk(&mut self, name: &str, points: &[P], mat: MaterialId);
     /// An outline in (x, z) extruded along Y.
-    fn profile(&mut self, name: &str, y: (f32, f32), outline: &[(f32, f32)], mat: MaterialId);
+    fn side_outline(&mut self, name: &str, y: (f32, f32), outline: &[(f32, f32)], mat: MaterialId);
     /// An outline in (x, y) extruded along Z.
-    fn plan(&mut self, name: &str, z: (f32, f32), outline: &[(f32, f32)], mat: MaterialId);
+    fn plan_outline(&mut self, name: &str, z: (f32, f32), outline: &[(f32, f32)], mat: MaterialId);
     /// An outline in (y, z) extruded along X.
-    fn facing(&mut self, name: &str, x: (f32, f32), outline: &[(f32, f32)], mat: MaterialId);
+    fn front_outline(&mut self, name: &str, x: (f32, f32), outline: &[(f32, f32)], mat: MaterialId);
     /// An ellipsoid whose half widths are fractions as well.
-    fn blob(&mut self, name: &str, centre: P, half: P, mat: MaterialId);
+    fn ellipsoid(&mut self, name: &str, centre: P, half: P, mat: MaterialId);
     /// A smooth surface over rings across an axis; a ring of zero width is a tip.
     fn skin(&mut self, name: &str, axis: Axis, rings: &[Ring], mat: MaterialId);
     /// A flat bar between two positions, level across; `section` is its width and thickness in
@@ -65,20 +62,20 @@ pub(in crate::object) trait Scaled {
     /// A plank raised by `lift` metres perpendicular to its face, for a plank that lies on another.
     fn layer(&mut self, name: &str, from: P, to: P, section: (f32, f32), lift: f32, mat: MaterialId);
     /// A wheel or disc: its centre, its radius and width in metres, its axle along an axis.
-    fn disc(&mut self, name: &str, axis: Axis, centre: P, section: (f32, f32), mat: MaterialId);
+    fn wheel(&mut self, name: &str, axis: Axis, centre: P, section: (f32, f32), mat: MaterialId);
     /// A torus: radii of the ring and of its section in metres.
-    fn hoop(&mut self, name: &str, axis: Axis, centre: P, radii: (f32, f32), mat: MaterialId);
+    fn torus(&mut self, name: &str, axis: Axis, centre: P, radii: (f32, f32), mat: MaterialId);
     /// A supporting surface with open space above.
     fn deck(&mut self, name: &str, centre: P, half: (f32, f32));
     /// A surface within walls; the clearance above it is a fraction too.
-    fn hollow(&mut self, name: &str, centre: P, half: (f32, f32), clearance: f32);
+    fn inner_floor(&mut self, name: &str, centre: P, half: (f32, f32), clearance: f32);
     /// Builds within a part of the size as if it were the whole size.
     fn within(&mut self, low: P, high: P, build: impl FnOnce(&mut Self));
     /// Builds rotated around Z by a number of quarter turns.
     fn quarters(&mut self, count: usize, build: impl FnOnce(&mut Self));
 }
 
-impl Scaled for Build<'_> {
+impl Proportional for Build<'_> {
     fn p(&self, [x, y, z]: P) -> P {
         [x * self.size.x / 2.0, y * self.size.y / 2.0, z * self.size.z]
     }
@@ -108,7 +105,7 @@ impl Scaled for Build<'_> {
         self.rod(name, from, to, radius, mat);
     }
 
-    fn tube(&mut self, name: &str, points: &[P], radius: f32, mat: MaterialId) {
+    fn bent_rod(&mut self, name: &str, points: &[P], radius: f32, mat: MaterialId) {
         let points: Vec<P> = points.iter().map(|&p| self.held(p, Vector3::repeat(radius))).collect();
         self.pipe(name, &points, radius, mat);
     }
@@ -118,25 +115,25 @@ impl Scaled for Build<'_> {
         self.hull(name, &points, mat);
     }
 
-    fn profile(&mut self, name: &str, y: (f32, f32), outline: &[(f32, f32)], mat: MaterialId) {
+    fn side_outline(&mut self, name: &str, y: (f32, f32), outline: &[(f32, f32)], mat: MaterialId) {
         let (x, z) = (self.size.x / 2.0, self.size.z);
         let half = self.size.y / 2.0;
         self.prism(name, Axis::Y, [0.0, y.0 * half, 0.0], &stretched(outline, x, z), (y.1 - y.0) * half, mat);
     }
 
-    fn plan(&mut self, name: &str, z: (f32, f32), outline: &[(f32, f32)], mat: MaterialId) {
+    fn plan_outline(&mut self, name: &str, z: (f32, f32), outline: &[(f32, f32)], mat: MaterialId) {
         let (x, y) = (self.size.x / 2.0, self.size.y / 2.0);
         let tall = self.size.z;
         self.prism(name, Axis::Z, [0.0, 0.0, z.0 * tall], &stretched(outline, x, y), (z.1 - z.0) * tall, mat);
     }
 
-    fn facing(&mut self, name: &str, x: (f32, f32), outline: &[(f32, f32)], mat: MaterialId) {
+    fn front_outline(&mut self, name: &str, x: (f32, f32), outline: &[(f32, f32)], mat: MaterialId) {
         let (y, z) = (self.size.y / 2.0, self.size.z);
         let half = self.size.x / 2.0;
         self.prism(name, Axis::X, [x.0 * half, 0.0, 0.0], &stretched(outline, y, z), (x.1 - x.0) * half, mat);
     }
 
-    fn blob(&mut self, name: &str, centre: P, half: P, mat: MaterialId) {
+    fn ellipsoid(&mut self, name: &str, centre: P, half: P, mat: MaterialId) {
         let ring = |sine: f32, cosine: f32| {
             ([centre[0], centre[1], centre[2] + half[2] * sine], half[0] * cosine, half[1] * cosine)
         };
@@ -168,13 +165,13 @@ impl Scaled for Build<'_> {
         self.hull(name, &ends.map(|v| [v.x, v.y, v.z]).collect::<Vec<P>>(), mat);
     }
 
-    fn disc(&mut self, name: &str, axis: Axis, centre: P, section: (f32, f32), mat: MaterialId) {
+    fn wheel(&mut self, name: &str, axis: Axis, centre: P, section: (f32, f32), mat: MaterialId) {
         let d = unit(axis) * (section.1 / 2.0);
         let c = Vector3::from(self.held(centre, round_reach(d, section.0) + d.abs()));
         self.rod(name, (c - d).into(), (c + d).into(), section.0, mat);
     }
 
-    fn hoop(&mut self, name: &str, axis: Axis, centre: P, radii: (f32, f32), mat: MaterialId) {
+    fn torus(&mut self, name: &str, axis: Axis, centre: P, radii: (f32, f32), mat: MaterialId) {
         let reach = round_reach(unit(axis), radii.0 + radii.1) + unit(axis) * radii.1;
         let c = Vector3::from(self.held(centre, reach));
         let round = |i: usize| (TAU * (i % 8) as f32 / 8.0).sine_cosine();
@@ -187,7 +184,7 @@ impl Scaled for Build<'_> {
         self.top(name, at, (half.0 * x, half.1 * y));
     }
 
-    fn hollow(&mut self, name: &str, centre: P, half: (f32, f32), clearance: f32) {
+    fn inner_floor(&mut self, name: &str, centre: P, half: (f32, f32), clearance: f32) {
         let (at, x, y) = (self.p(centre), self.size.x / 2.0, self.size.y / 2.0);
         let tall = self.size.z;
         self.inside(name, at, (half.0 * x, half.1 * y), clearance * tall);
