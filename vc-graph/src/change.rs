@@ -7,13 +7,17 @@ use crate::serial::pose;
 use crate::{Edge, Label, NodeId, Pose, Relation, SceneGraph, StateSet};
 
 /// One reversible change of a scene.
-#[derive(Debug, Clone, PartialEq, serde::Serialize)]
+///
+/// Changes that add or remove a node are written but not read back, as a node needs its class table.
+#[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "snake_case")]
 #[non_exhaustive]
 pub enum Change {
     /// A node without relations was added.
+    #[serde(skip_deserializing)]
     Add(Arc<Node>),
     /// A node without relations was removed.
+    #[serde(skip_deserializing)]
     Remove(Arc<Node>),
     /// A node's states changed.
     States {
@@ -29,10 +33,10 @@ pub enum Change {
         /// The node.
         id: NodeId,
         /// Pose before.
-        #[serde(serialize_with = "pose::known")]
+        #[serde(with = "pose::known")]
         before: Option<Pose>,
         /// Pose after.
-        #[serde(serialize_with = "pose::known")]
+        #[serde(with = "pose::known")]
         after: Option<Pose>,
     },
     /// The contents of a container that can be poured from or into changed.
@@ -130,7 +134,7 @@ impl Change {
 /// assert_eq!(graph, before);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-#[derive(Debug, Clone, Default, PartialEq, serde::Serialize)]
+#[derive(Debug, Clone, Default, PartialEq, serde::Serialize, serde::Deserialize)]
 #[serde(transparent)]
 pub struct ChangeSet {
     pub(crate) changes: Vec<Change>,

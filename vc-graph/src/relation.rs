@@ -125,7 +125,7 @@ impl std::fmt::Display for Edge {
 }
 
 /// The placement of an object: a relation and the node that it rests on or in, or that holds or wears it.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, serde::Serialize, serde::Deserialize)]
 pub struct Place {
     /// On, inside, worn by, sitting on, lying on, or held in one of the hands.
     pub relation: Relation,

@@ -122,13 +122,24 @@ pub mod pose {
     /// Those of the deserializer; a position that is not finite or farther than 10,000 km away; a rotation that is not
     /// of unit length.
     pub fn deserialize<'de, D: serde::Deserializer<'de>>(d: D) -> Result<Pose, D::Error> {
-        let wrong = || D::Error::custom("a pose has finite numbers and a rotation of unit length");
-        PoseFile::deserialize(d)?.pose().ok_or_else(wrong)
+        sound(&PoseFile::deserialize(d)?)
     }
 
-    /// Writes a pose that may be unknown.
-    pub(crate) fn known<S: serde::Serializer>(pose: &Option<Pose>, s: S) -> Result<S::Ok, S::Error> {
-        pose.as_ref().map(PoseFile::from).serialize(s)
+    fn sound<E: Error>(file: &PoseFile) -> Result<Pose, E> {
+        file.pose().ok_or_else(|| E::custom("a pose has finite numbers and a rotation of unit length"))
+    }
+
+    /// A pose that may be unknown.
+    pub(crate) mod known {
+        use super::{Deserialize, Pose, PoseFile, Serialize, sound};
+
+        pub(crate) fn serialize<S: serde::Serializer>(pose: &Option<Pose>, s: S) -> Result<S::Ok, S::Error> {
+            pose.as_ref().map(PoseFile::from).serialize(s)
+        }
+
+        pub(crate) fn deserialize<'de, D: serde::Deserializer<'de>>(d: D) -> Result<Option<Pose>, D::Error> {
+            Option::<PoseFile>::deserialize(d)?.as_ref().map(sound).transpose()
+        }
     }
 }
 

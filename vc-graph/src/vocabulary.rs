@@ -163,6 +163,13 @@ impl<W: Word> serde::Serialize for Set<W> {
     }
 }
 
+impl<'de, W: Word> serde::Deserialize<'de> for Set<W> {
+    fn deserialize<D: serde::Deserializer<'de>>(d: D) -> Result<Self, D::Error> {
+        let words = <Vec<String> as serde::Deserialize>::deserialize(d)?;
+        words.iter().map(|word| W::parse(word).map_err(serde::de::Error::custom)).collect()
+    }
+}
+
 impl<W: Word> fmt::Debug for Set<W> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_set().entries(self.iter().map(W::as_str)).finish()

@@ -21,7 +21,7 @@ impl Argument {
 }
 
 /// An effect of an action. `T` as in [`Condition`](super::Condition).
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
 #[non_exhaustive]
 pub enum Effect<T> {
     /// The object enters a state.

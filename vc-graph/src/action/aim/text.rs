@@ -69,3 +69,17 @@ impl fmt::Display for Aim {
         })
     }
 }
+
+/// The text, as in an action.
+impl serde::Serialize for Aim {
+    fn serialize<S: serde::Serializer>(&self, s: S) -> Result<S::Ok, S::Error> {
+        s.collect_str(self)
+    }
+}
+
+impl<'de> serde::Deserialize<'de> for Aim {
+    fn deserialize<D: serde::Deserializer<'de>>(d: D) -> Result<Self, D::Error> {
+        let text = <String as serde::Deserialize>::deserialize(d)?;
+        Self::read(text.split_whitespace()).map_err(serde::de::Error::custom)
+    }
+}
