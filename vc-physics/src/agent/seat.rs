@@ -22,6 +22,11 @@ const MOST: u32 = 64;
 /// relative to the largest: cushions lie side by side, and armrests are not seats.
 const STEPPED: f32 = 0.06;
 const ALIKE: f32 = 0.4;
+/// How far cushions in a row may be beside one another, metres.
+const ALIGNED: f32 = 0.15;
+/// Half the length and width of a level on which a body fits, metres.
+const LONG: f32 = 0.6;
+const WIDE: f32 = 0.2;
 /// Heights of surfaces for sitting, metres above the floor.
 const SEATS: std::ops::Range<f32> = 0.2..0.95;
 /// The largest mass of a thing on a seat that agents sit upon, kilograms.
@@ -198,8 +203,8 @@ fn share_out(levels: &[Level], count: u32) -> Vec<u32> {
     shares
 }
 
-/// The levels on which people sit or lie: the largest level surface at the height of seats and, for sitting,
-/// the surfaces that continue it; or the top of the box.
+/// The levels on which people sit or lie: the largest level surface at the height of seats and the surfaces that
+/// continue it; or the top of the box.
 fn levels(thing: &Thing, lying: bool) -> Vec<Level> {
     let area = |s: &&Surface| s.half.0 * s.half.1;
     let level = thing.form.surfaces.iter().filter(|s| s.hold == Hold::On && SEATS.contains(&s.centre.z));
@@ -213,6 +218,39 @@ fn levels(thing: &Thing, lying: bool) -> Vec<Level> {
         return vec![Level { centre: Point3::new(middle.x, middle.y, top), half, across }];
     };
     let like = |s: &&Surface| (s.centre.z - largest.centre.z).abs() < STEPPED && area(s) > ALIKE * area(&largest);
-    let one = |s: &Surface| Level { centre: s.centre, half: s.half, across: lying && s.half.1 > s.half.0 };
-    if lying { vec![one(largest)] } else { level.filter(like).map(one).collect() }
+    let alike: Vec<&Surface> = level.filter(like).collect();
+    if lying {
+        return vec![bed(&alike, &thing.form.surfaces)];
+    }
+    alike.into_iter().map(|s| Level { centre: s.centre, half: s.half, across: false }).collect()
+}
+
+/// The level on which a body lies: cushions in a row count as one, and whoever does not fit onto a rim lies inside.
+fn bed(alike: &[&Surface], all: &[Surface]) -> Level {
+    type Top = (Point3<f32>, (f32, f32));
+    let fits = |(_, half): &Top| half.0.max(half.1) >= LONG && half.0.min(half.1) >= WIDE;
+    let rank = |top: &Top| (fits(top), top.1.0 * top.1.1);
+    let order = |a: &Top, b: &Top| rank(a).0.cmp(&rank(b).0).then(rank(a).1.total_cmp(&rank(b).1));
+    let rows = alike.iter().flat_map(|s| [row(s, alike, 0), row(s, alike, 1)]);
+    let inside = all.iter().filter(|s| s.hold == Hold::Inside && s.joint.is_none()).map(|s| (s.centre, s.half));
+    let (row, inside) = (rows.max_by(order), inside.filter(fits).max_by(order));
+    let best = row.filter(fits).or(inside).or(row);
+    let (centre, half) = best.unwrap_or_else(|| (Point3::origin(), (0.0, 0.0)));
+    Level { centre, half, across: half.1 > half.0 }
+}
+
+/// A surface together with those that continue it along an axis.
+fn row(of: &Surface, alike: &[&Surface], axis: usize) -> (Point3<f32>, (f32, f32)) {
+    let across = 1 - axis;
+    let half = |s: &Surface, axis: usize| if axis == 0 { s.half.0 } else { s.half.1 };
+    let aligned = |s: &&&Surface| {
+        let off = (s.centre[across] - of.centre[across]).abs();
+        off.max((half(s, across) - half(of, across)).abs()) < ALIGNED
+    };
+    let ends = |s: &&Surface| (s.centre[axis] - half(s, axis), s.centre[axis] + half(s, axis));
+    let joined = |a: (f32, f32), b: (f32, f32)| (a.0.min(b.0), a.1.max(b.1));
+    let (low, high) = alike.iter().filter(aligned).map(ends).fold(ends(&of), joined);
+    let (mut centre, mut halves) = (of.centre, [of.half.0, of.half.1]);
+    (centre[axis], halves[axis]) = ((low + high) / 2.0, (high - low) / 2.0);
+    (centre, (halves[0], halves[1]))
 }
