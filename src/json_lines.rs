@@ -80,7 +80,11 @@ impl JsonLines {
     pub fn push(&mut self, value: &impl Serialize) -> Result<(), FileError> {
         let text = json(value).map_err(|error| FileError::unwritten(&self.path, error))?;
         let written = self.file.write_all(format!("{text}\n").as_bytes());
-        written.map_err(|error| FileError::unwritten(&self.path, error))?;
+        if let Err(error) = written {
+            // A part of the line may have been written; the disk may take no more.
+            let _ = self.keep(self.ends.len());
+            return Err(FileError::unwritten(&self.path, error));
+        }
         self.ends.push(self.end() + text.len() as u64 + 1);
         Ok(())
     }

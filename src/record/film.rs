@@ -14,7 +14,7 @@ use crate::environment::{GLANCE, sight_of};
 use crate::{Environment, PageFilm, PictureError, PictureOptions, Viewpoint};
 
 /// Ticks of the home between two pictures, at first.
-const EVERY: u32 = 10;
+pub(super) const EVERY: u32 = 10;
 /// Most pictures; when there are more, every other one is dropped and fewer are made.
 const MOST: usize = 180;
 
@@ -72,9 +72,15 @@ impl Film {
         self.modalities.as_ref()
     }
 
-    /// Pictures a second, at twice the speed of the home.
+    /// Pictures a second, at twice the speed of the home as far as whole numbers allow.
     pub(super) fn rate(&self) -> u16 {
         (2 * 60 / self.every).max(1) as u16
+    }
+
+    /// How many times faster than the home the film is.
+    fn speed(&self) -> f64 {
+        let speed = f64::from(u32::from(self.rate()) * self.every) / 60.0;
+        (speed * 100.0).round() / 100.0
     }
 
     /// A new action of an agent begins, whom the cameras follow from now on.
@@ -129,13 +135,14 @@ impl Film {
             per_second: self.rate(),
             starts: self.starts.clone(),
             moments: self.moments(),
-            caption: "From the agent's eyes and from a corner of the room, at twice the speed.".into(),
+            caption: format!("From the agent's eyes and from a corner of the room, {} times as fast.", self.speed()),
         }))
     }
 
-    /// A tick has passed: now and then a picture is made, and a frame of a dataset.
-    pub(super) fn tick(&mut self, home: &Environment, dataset: Option<&mut Dataset>) -> Result<(), RecordError> {
-        self.ticks += 1;
+    /// So many ticks have passed, or the last ones of an action: now and then a picture is made, and a frame of a
+    /// dataset.
+    pub(super) fn go_on(&mut self, home: &Environment, dataset: Option<&mut Dataset>) -> Result<(), RecordError> {
+        self.ticks += EVERY;
         if self.ticks.is_multiple_of(self.every) {
             let views = self.views(home)?;
             let pair = [self.shot(home, views, 0)?, self.shot(home, views, 1)?];
@@ -147,7 +154,7 @@ impl Film {
             self.before = Some(home.clone());
         }
         // However long the episode is, and however few pictures its film has.
-        match dataset.filter(|_| self.ticks.is_multiple_of(EVERY)) {
+        match dataset {
             Some(dataset) => dataset.add(home, Viewpoint::Agent(self.me), self.size.0, self.size.1),
             None => Ok(()),
         }
@@ -269,6 +276,7 @@ fn six(frame: &Frame) -> Picture {
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "tests stop where something is wrong")]
 mod tests {
+    use vc_graph::clock::Span;
     use vc_graph::{Action, Verb};
 
     use super::*;
@@ -279,16 +287,14 @@ mod tests {
         let mut home = Environment::make("apartment/44756", 1).unwrap();
         let me = home.agents()[0];
         let mut film = Film { every: 4 * EVERY, ..Film::new(&home, me, 64) };
-        let (mut ticks, mut sights) = (0, Vec::new());
+        let mut sights = Vec::new();
         let classes = ["fridge", "double_bed", "washbasin", "sofa", "wardrobe", "stove"];
         for class in classes.into_iter().take(vc_testkit::amount(3, 6)) {
             let Some(at) = home.graph().of_class(class).first().copied() else { continue };
-            let walked = home.set_action_in_time(me, Action::one(Verb::Walk, at), |now| {
-                ticks += 1;
-                if ticks % film.every == 0 {
-                    let [_, corner] = film.views(now).unwrap();
-                    sights.push(sight_of(&now.render(corner, Modality::Instance, GLANCE.0, GLANCE.1).unwrap(), me));
-                }
+            let every = Span(u64::from(film.every));
+            let walked = home.set_action_in_time(me, Action::one(Verb::Walk, at), every, |now| {
+                let [_, corner] = film.views(now).unwrap();
+                sights.push(sight_of(&now.render(corner, Modality::Instance, GLANCE.0, GLANCE.1).unwrap(), me));
             });
             walked.unwrap();
         }

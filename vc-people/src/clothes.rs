@@ -82,6 +82,7 @@ pub fn colour(library: &AssetLibrary, node: &Node) -> Option<[f32; 3]> {
 }
 
 #[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests stop where something is wrong")]
 mod tests {
     use vc_graph::Property;
     use vc_graph::class::Category;
