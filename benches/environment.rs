@@ -396,7 +396,7 @@ fn batches(homes: &[Environment], page: &mut Page) {
         let made = make();
         let making = start.elapsed();
         drop(made);
-        let (mut batch, mut stream) = (Batch::of(every.clone()), Seed(3).stream());
+        let (mut batch, mut stream) = (Batch::new(every.clone()), Seed(3).stream());
         let mut stepping = Duration::ZERO;
         for _ in 0..ACTIONS {
             let action = |home: &Environment, stream: &mut _| {

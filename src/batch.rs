@@ -35,7 +35,7 @@ impl Batch {
     }
 
     /// A batch of existing environments. Clones of one environment share its constant data.
-    pub fn of(environments: Vec<Environment>) -> Self {
+    pub fn new(environments: Vec<Environment>) -> Self {
         Self { environments }
     }
 

@@ -1,5 +1,6 @@
 //! The contract that every environment keeps, as a test that anybody can run.
 
+use vc_graph::clock::Span;
 use vc_graph::{Action, NodeId, NodeKind, SceneGraph, Seed, Stream, Verb, Violation, Word, rule};
 
 use crate::Batch;
@@ -9,6 +10,12 @@ use crate::{Viewpoint, render::Modality};
 
 /// Number of actions that are also shown in time.
 const SHOWN: usize = 4;
+/// The shortest time after which an action in time is looked at, and how often a long one is.
+const EVERY: Span = Span(7);
+const LOOKS: u64 = 50;
+/// The time in which agents act side by side, and the parts into which it is divided.
+const LONG: Span = Span(3600);
+const PART: Span = Span(11);
 
 /// Number of environments in the batch.
 const BATCH: usize = 3;
@@ -35,8 +42,8 @@ pub enum ContractViolation {
         /// The number of actions done before the observation.
         actions: usize,
     },
-    /// A refused action changed something.
-    #[error("`{action}` was not done ({error}) and changed the environment")]
+    /// An action that the transition rule refused changed something.
+    #[error("`{action}` was refused ({error}) and changed the environment")]
     RefusedAndChanged {
         /// The refused action.
         action: String,
@@ -55,6 +62,9 @@ pub enum ContractViolation {
         /// The action.
         action: String,
     },
+    /// Agents that act side by side end differently if time is divided otherwise, or if they are saved in between.
+    #[error("side by side, actions end differently when {0}")]
+    TimeMatters(&'static str),
     /// Rendering changed the environment, or two pictures of the same moment differ.
     #[error("rendering changed the environment, or two pictures of the same moment differ")]
     ImpureRender,
@@ -111,9 +121,10 @@ pub struct Tally {
 
 /// Checks the contract of an environment, as Gymnasium's checker does, and returns every breach; a sound
 /// environment has none. The contract: the same seed gives the same bytes; observing and rendering change
-/// nothing; an action that is not done changes nothing; the result depends neither on the order of a list of
-/// actions, nor on whether actions are shown in time, nor on whether the environment is one of a batch; a saved
-/// and restored environment evolves as the original does; a reset leads back to the beginning.
+/// nothing; a refused action changes nothing; the result depends neither on the order of a list of
+/// actions, nor on how time is divided, nor on whether actions are shown, nor on whether the environment is one of a
+/// batch; an environment that was saved and restored, even in the middle of actions, evolves as the original does; a
+/// reset leads back to the beginning.
 ///
 /// `make` makes the environment; it is called twice and has to give equal environments. `actions` random actions
 /// are tried.
@@ -140,6 +151,7 @@ pub fn check_environment(
     let mut breaches = Vec::new();
     check_order(&one, seed, &mut breaches);
     check_clocks(&one, seed.child("clocks"), &mut breaches);
+    check_time(&one, seed.child("time"), &mut breaches);
     check_batch(&one, seed.child("batch"), &mut breaches);
     #[cfg(feature = "render")]
     check_render(&one, &mut breaches);
@@ -160,11 +172,39 @@ fn check_clocks(environment: &Environment, seed: Seed, breaches: &mut Vec<Contra
     for _ in 0..SHOWN {
         let Some(&agent) = stream.pick(environment.agents()) else { return };
         let action = legal_action(at_once.graph(), agent, &mut stream);
+        let every = EVERY.max(Span(at_once.duration(&action).unwrap_or_default().0 / LOOKS));
         let outcome = at_once.set_action(agent, action);
-        if in_time.set_action_in_time(agent, action, |_| {}) != outcome || at_once.digest() != in_time.digest() {
+        if in_time.set_action_in_time(agent, action, every, |_| {}) != outcome || at_once.digest() != in_time.digest() {
             breaches.push(ContractViolation::ClocksDiffer { action: action.describe(environment.graph()).to_string() });
             return;
         }
+    }
+}
+
+/// Lets each agent begin a legal action; then time passes at once, in small steps, and after saving and restoring.
+fn check_time(environment: &Environment, seed: Seed, breaches: &mut Vec<ContractViolation>) {
+    let (mut begun, mut stream) = (environment.clone(), seed.stream());
+    for &agent in environment.agents() {
+        begun.give(agent, legal_action(environment.graph(), agent, &mut stream));
+    }
+    // Endings that nobody has read would not be saved.
+    drop(begun.step(Span(1 + stream.below(90) as u64)));
+    let mut whole = begun.clone();
+    let endings = whole.step(LONG);
+    let mut parts = begun.clone();
+    let mut told = Vec::new();
+    while parts.tick() < whole.tick() {
+        told.extend(parts.step(PART.min(whole.tick() - parts.tick())));
+    }
+    if told != endings || parts.digest() != whole.digest() {
+        breaches.push(ContractViolation::TimeMatters("time is divided otherwise"));
+    }
+    let mut restored = match begun.save().and_then(|bytes| begun.restore(&bytes)) {
+        Ok(restored) => restored,
+        Err(error) => return breaches.push(ContractViolation::NotSaved(error.to_string())),
+    };
+    if restored.step(LONG) != endings || restored.digest() != whole.digest() {
+        breaches.push(ContractViolation::TimeMatters("they are saved in between"));
     }
 }
 
@@ -174,7 +214,7 @@ fn check_batch(environment: &Environment, seed: Seed, breaches: &mut Vec<Contrac
     let act = |agent: &NodeId| (*agent, legal_action(environment.graph(), *agent, &mut stream));
     let actions: Vec<(NodeId, Action)> = environment.agents().iter().map(act).collect();
     let mut alone = environment.clone();
-    let mut batch = Batch::of(vec![environment.clone(); BATCH]);
+    let mut batch = Batch::new(vec![environment.clone(); BATCH]);
     let outcomes = alone.set_actions(&actions);
     let together = batch.set_actions(&vec![actions; BATCH]);
     let same = batch.environments().iter().all(|e| e.digest() == alone.digest());
@@ -231,7 +271,7 @@ fn try_action(environment: &mut Environment, agent: NodeId, action: Action, tall
         Err(ActionError::Refused(_)) => tally.refused += 1,
         Err(other) => tally.impossible.push(other.to_string()),
     }
-    if let Err(error) = outcome
+    if let Err(error @ (ActionError::Refused(_) | ActionError::Twice(_))) = outcome
         && before != after
     {
         tally.breaches.push(ContractViolation::RefusedAndChanged { action: text.clone(), error: error.to_string() });

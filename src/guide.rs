@@ -478,7 +478,7 @@
 //!
 //! let benchmark = Benchmark::v1();
 //! let activity = benchmark.get("put_fridge-01").ok_or("no such task")?;
-//! let open = |scene| Environment::of(scene, 1).map_err(WorldError::failed);
+//! let open = |scene| Environment::from_scene(scene, 1).map_err(WorldError::failed);
 //! let suits = |home: &Environment, initial: &_| feasible(activity, home, initial);
 //! let mut made = at_home_that(activity, Seed(3), &generator(), open, suits)?;
 //! let episode = run_episode(&mut PlannerPolicy::best(), &made.initial.task, &mut made.world);
@@ -522,9 +522,9 @@
 //!
 //! # Several agents at the same time
 //!
-//! [`Environment::set_action`](crate::Environment::set_action) acts at once, one agent after the other. With
-//! [`give`](crate::Environment::give) and [`step`](crate::Environment::step) actions take their time and overlap: one
-//! tick is a sixtieth of a second. What ends in a step comes back with its tick; an action that somebody thwarts ends with
+//! [`Environment::set_actions`](crate::Environment::set_actions) lets several agents act side by side, each to the end of its
+//! action. With [`give`](crate::Environment::give) and [`step`](crate::Environment::step) a program decides in between: one
+//! tick is a sixtieth of a second. Actions that end in a step come back with their tick; one that somebody thwarts ends with
 //! an [`Interruption`](crate::Interruption).
 //!
 //! ```

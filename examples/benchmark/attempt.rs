@@ -116,7 +116,7 @@ struct Bodies {
 
 impl Bodies {
     fn of(home: SceneGraph) -> Result<Self, WorldError> {
-        let home = Environment::of(home, 1).map_err(WorldError::failed)?;
+        let home = Environment::from_scene(home, 1).map_err(WorldError::failed)?;
         Ok(Self { home, done: 0, disagreements: Vec::new() })
     }
 }

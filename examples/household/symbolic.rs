@@ -89,7 +89,7 @@ fn run(options: &Options, scene: &SceneGraph, me: NodeId, task: &Task) -> Result
 
 /// Writes the page about the run, with the belief.
 fn write_page(own: &mut OwnFiles, trajectory: &Trajectory, belief: Option<&str>) -> Result<(), RecordError> {
-    let mut page = Page::of(trajectory);
+    let mut page = Page::from_trajectory(trajectory);
     if let Some(belief) = belief {
         own.write("belief.svg", belief.as_bytes())?;
         page = page.figure("belief.svg", "What it believed in the end", Page::BELIEF);

@@ -1,6 +1,7 @@
 //! The effects of keyboard and mouse in a home, and its picture; independent of the window.
 
 use nalgebra::{Isometry3, UnitQuaternion, Vector2, Vector3};
+use virtualcity::graph::clock::Span;
 use virtualcity::graph::{Action, NodeId, SceneGraph, Verb, rule};
 use virtualcity::physics::{Hand, Posture};
 use virtualcity::render::picture::{self, Picture};
@@ -13,7 +14,7 @@ use crate::text;
 /// Largest view angle up and down, radians.
 const TILT: f32 = 1.3;
 /// Ticks between two displayed pictures of an action.
-const SHOWN: u32 = 3;
+const SHOWN: Span = Span(3);
 /// The possible meanings of a click on the object pointed at; the first that the rule allows is chosen.
 const CLICKS: [Verb; 10] = [
     Verb::Grab,
@@ -115,13 +116,10 @@ impl Game {
             _ => None,
         };
         let Some(action) = action else { return Ok(()) };
-        let (me, size, view, mut ticks) = (self.me, self.size, self.view(), 0);
+        let (me, size, view) = (self.me, self.size, self.view());
         let name = action.describe(self.home.graph()).to_string();
-        let outcome = self.home.set_action_in_time(me, action, |home| {
-            ticks += 1;
-            if ticks % SHOWN == 0
-                && let Ok(frame) = home.render(Viewpoint::Free(view), Modality::Rgb, size.0, size.1)
-            {
+        let outcome = self.home.set_action_in_time(me, action, SHOWN, |home| {
+            if let Ok(frame) = home.render(Viewpoint::Free(view), Modality::Rgb, size.0, size.1) {
                 show(&picture::rgb(&frame));
             }
         });

@@ -24,6 +24,7 @@ use game::{Game, Hands, Wish};
 use minifb::{Key, MouseButton, MouseMode, Scale, Window, WindowOptions};
 use support::{Complaint, say};
 use virtualcity::Environment;
+use virtualcity::graph::clock::Durations;
 use virtualcity::render::picture::{self, Picture};
 
 /// Radians per pixel of mouse motion.
@@ -60,7 +61,8 @@ fn main() -> Result<(), Complaint> {
     let wait = |window: &mut Window, words: &str| present(window, &text::notice(width, height, words));
     let name = format!("apartment/{}", options.seed);
     wait(&mut window, &format!("making {name} ...")).map_err(Complaint::new)?;
-    let mut game = Game::new(Environment::make(&name, 1).map_err(Complaint::new)?, width);
+    let mut game =
+        Game::new(Environment::builder(&name).durations(Durations::default()).make().map_err(Complaint::new)?, width);
     wait(&mut window, "finding its light ...").map_err(Complaint::new)?;
     let (mut mouse, mut clock, mut pictures) = (window.get_mouse_pos(MouseMode::Pass), Clock::default(), 0);
     let mut last = game.picture()?;

@@ -26,7 +26,7 @@ impl Home {
     /// nobody can stand, such as a table without a floor, is drawn as it is.
     pub(crate) fn read(path: &Path) -> Result<Self, Complaint> {
         let scene = virtualcity::read_scene(path, &ClassTable::builtin())?;
-        match Environment::builder_of(scene.clone()).assets(Assets::Generated).make() {
+        match Environment::builder_from_scene(scene.clone()).assets(Assets::Generated).make() {
             Ok(home) => Ok(Self { scene: without_guests(&home, &scene)?, environment: Some(home) }),
             Err(error) => {
                 say!("remark {}: drawn as it is; {error}", path.display());

@@ -11,7 +11,6 @@ use vc_physics::{BodyRole, Floor, Posture};
 use vc_tasks::initial::Stock;
 
 use super::settle::come_to_rest;
-use super::undo::Undo;
 use super::{
     Displaced, Environment, PhysicalRefusal, Unplaced, UnplacedReason, execute, make, observe, outlook, reset, stale,
 };
@@ -66,6 +65,9 @@ pub enum AlterError {
     /// The thing does not stay there.
     #[error("it does not stay there: {0}")]
     Elsewhere(Displaced),
+    /// Agents are doing something that takes time, and would be disturbed.
+    #[error("{} acting: let them finish with `step_until_idle`, or `interrupt` them", are(.0))]
+    Busy(Vec<Label>),
     /// The node is no agent of this environment.
     #[error("{0} is no agent of this environment")]
     NotAnAgent(Label),
@@ -89,6 +91,10 @@ pub enum AlterError {
     /// The graph does not allow it.
     #[error(transparent)]
     Edit(#[from] EditError),
+}
+
+fn are(labels: &[Label]) -> String {
+    format!("{} {}", super::error::in_a_row(labels), if labels.len() == 1 { "is" } else { "are" })
 }
 
 fn instead(nearest: &Option<[f32; 2]>) -> String {
@@ -140,6 +146,7 @@ impl Environment {
     /// # Errors
     /// [`AlterError`]; then nothing has changed.
     pub fn spawn(&mut self, class: &str, place: Place) -> Result<NodeId, AlterError> {
+        self.refuse_while_busy()?;
         let known = self.graph.classes().get(class).ok_or_else(|| self.no_such_class(class))?;
         if let Some(why) = no_thing(known) {
             return Err(AlterError::NoThing { class: known.name.to_string(), why });
@@ -179,6 +186,7 @@ impl Environment {
     /// # Errors
     /// [`AlterError`]; then nothing has changed.
     pub fn put(&mut self, thing: NodeId, place: Place) -> Result<(), AlterError> {
+        self.refuse_while_busy()?;
         self.graph.node(thing).ok_or(AlterError::NoSuchNode(thing))?;
         let place = self.checked(place)?;
         let moves = |role| matches!(role, BodyRole::Loose | BodyRole::Hung);
@@ -230,6 +238,7 @@ impl Environment {
     /// # Errors
     /// [`AlterError`]; then nothing has changed.
     pub fn teleport(&mut self, agent: NodeId, to: impl Into<Spot>) -> Result<(), AlterError> {
+        self.refuse_while_busy()?;
         let Some(before) = self.world.pose(agent).filter(|_| self.agents().contains(&agent)) else {
             return Err(AlterError::NotAnAgent(self.graph.label(agent)));
         };
@@ -346,12 +355,17 @@ impl Environment {
         AlterError::Bodies(why.into().in_scene(&self.graph))
     }
 
-    /// Lets all come to rest and observes it; nothing can be taken back to before that.
+    /// Refuses while agents act: bodies come to rest here without the clock.
+    fn refuse_while_busy(&self) -> Result<(), AlterError> {
+        let busy = self.busy();
+        if busy.is_empty() { Ok(()) } else { Err(AlterError::Busy(busy)) }
+    }
+
+    /// Lets all come to rest and observes it.
     fn settle(&mut self, changed: &[NodeId]) -> Result<(), AlterError> {
         come_to_rest(&mut self.world);
         observe::look_again(&mut self.graph, &self.start, &self.world, &mut self.relations, changed)?;
         self.floor.update(&self.world);
-        self.undo = Undo::default();
         self.clock.scene_changed();
         Ok(())
     }

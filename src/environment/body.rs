@@ -69,6 +69,7 @@ fn beside(world: &PhysicsWorld, feet: &Pose, hand: Hand, id: NodeId) -> Option<P
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "tests stop where something is wrong")]
 mod tests {
+    use vc_graph::clock::Span;
     use vc_graph::{Action, Node, Property, Verb};
     use vc_people::{BodySide, Bone, palm};
     use vc_physics::BodyRole;
@@ -104,7 +105,7 @@ mod tests {
                 [Action::one(Verb::Walk, thing), Action::one(Verb::Grab, thing), Action::one(Verb::Walk, top), put]
             {
                 let mut most = 0.0_f32;
-                let outcome = home.set_action_in_time(me, action, |now| most = most.max(away(now, me)));
+                let outcome = home.set_action_in_time(me, action, Span(1), |now| most = most.max(away(now, me)));
                 assert!(most < 0.11, "{}: the hand is {most} m away", action.describe(home.graph()));
                 done += usize::from(outcome.is_ok());
             }

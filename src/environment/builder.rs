@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use vc_graph::clock::{DayTime, Durations, ProcessTable};
+use vc_graph::clock::{DayTime, Durations, ProcessTable, TICKS_PER_SECOND};
 use vc_graph::{ClassTable, SceneGraph};
 use vc_relations::RelationRule;
 use vc_relations::threshold::SUPPORT_GAP;
@@ -10,7 +10,7 @@ use vc_relations::threshold::SUPPORT_GAP;
 use super::clock::TimeSettings;
 use super::{Assets, Environment, MakeError, scene};
 
-/// Makes an [`Environment`] with settings of your own: [`Environment::builder`], [`Environment::builder_of`].
+/// Makes an [`Environment`] with settings of your own: [`Environment::builder`], [`Environment::builder_from_scene`].
 ///
 /// | setting | default |
 /// |---|---|
@@ -21,9 +21,9 @@ use super::{Assets, Environment, MakeError, scene};
 /// | [`relations`](Self::relations) | [`RelationRule::Contacts`] |
 /// | [`processes`](Self::processes), [`durations`](Self::durations) | [`ProcessTable::builtin`], [`Durations::builtin`] |
 /// | [`processes_at_once`](Self::processes_at_once) | no: they take their time |
-/// | [`begins_at`](Self::begins_at) | noon of day 0 |
+/// | [`begins_at`](Self::begins_at), [`hour`](Self::hour) | noon of day 0 |
 /// | [`tolerance`](Self::tolerance) | [`SUPPORT_GAP`](vc_relations::threshold::SUPPORT_GAP): 0.02 m |
-/// | `pictures`, `hour` (feature `render`) | [`PictureOptions::default`](crate::PictureOptions): noon, a field of view of 1.15 rad |
+/// | `pictures` (feature `render`) | [`PictureOptions::default`](crate::PictureOptions): noon, a field of view of 1.15 rad |
 /// | `camera`, `sensor` (feature `render`) | no others than [`cameras`](Environment::cameras) lists in every home |
 /// | `threads` (feature `render`) | those of the rayon pool that pictures are asked for in: as many as there are cores |
 ///
@@ -57,6 +57,8 @@ pub(super) struct EnvironmentSettings {
     pub(super) relations: RelationRule,
     pub(super) time: TimeSettings,
     pub(super) tolerance: f32,
+    /// An hour that was asked for and is none.
+    pub(super) no_hour: Option<f32>,
     #[cfg(feature = "render")]
     pub(super) pictures: crate::PictureOptions,
     #[cfg(feature = "render")]
@@ -76,6 +78,7 @@ impl EnvironmentSettings {
             relations: RelationRule::Contacts,
             time: TimeSettings::default(),
             tolerance: SUPPORT_GAP,
+            no_hour: None,
             #[cfg(feature = "render")]
             pictures: crate::PictureOptions::default(),
             #[cfg(feature = "render")]
@@ -111,7 +114,7 @@ impl EnvironmentBuilder {
         self
     }
 
-    /// The settings of the bodies: gravity, the fixed things, friction of hinges, latches.
+    /// The settings of the bodies: gravity, the fixed things, friction of hinges, latches. A step is a tick of 1/60 s.
     pub fn physics(mut self, settings: vc_physics::Settings) -> Self {
         self.settings.physics = settings;
         self
@@ -148,10 +151,33 @@ impl EnvironmentBuilder {
         self
     }
 
-    /// The day and time at which the environment begins.
+    /// The day and time at which the environment begins. Pictures show the light of that time, which does not go on with
+    /// the clock, as it is computed anew for another hour: [`Environment::set_pictures`] sets another.
     pub fn begins_at(mut self, time: DayTime) -> Self {
         self.settings.time.begin = time;
+        #[cfg(feature = "render")]
+        {
+            self.settings.pictures.daylight = vc_render::Daylight::at(time.hour());
+        }
         self
+    }
+
+    /// The hour of day 0 at which the environment begins, 0 to 24: [`begins_at`](Self::begins_at) in another form.
+    ///
+    /// ```
+    /// use virtualcity::{Environment, MakeError};
+    /// let evening = Environment::builder("apartment/42").hour(19.5).make()?;
+    /// assert_eq!(evening.day_time().to_string(), "day 0, 19:30:00");
+    /// let never = Environment::builder("apartment/42").hour(f32::NAN).make();
+    /// assert!(matches!(never, Err(MakeError::Hour(_))));
+    /// # Ok::<(), MakeError>(())
+    /// ```
+    pub fn hour(mut self, hour: f32) -> Self {
+        if !(0.0..=24.0).contains(&hour) {
+            self.settings.no_hour = Some(hour);
+            return self;
+        }
+        self.begins_at(DayTime::new(0, (hour * 3600.0).round() as u32))
     }
 
     /// The distance down to a support up to which a thing is on it, metres: 0 to
@@ -174,13 +200,6 @@ impl EnvironmentBuilder {
     #[cfg(feature = "render")]
     pub fn pictures(mut self, options: crate::PictureOptions) -> Self {
         self.settings.pictures = options;
-        self
-    }
-
-    /// The hour of the day that pictures show, 0 to 24.
-    #[cfg(feature = "render")]
-    pub fn hour(mut self, hour: f32) -> Self {
-        self.settings.pictures.daylight = vc_render::Daylight::at(hour);
         self
     }
 
@@ -228,6 +247,13 @@ impl EnvironmentBuilder {
     /// # Errors
     /// [`MakeError`].
     pub fn make(self) -> Result<Environment, MakeError> {
+        if let Some(hour) = self.settings.no_hour {
+            return Err(MakeError::Hour(hour));
+        }
+        let step = self.settings.physics.dt;
+        if (step * TICKS_PER_SECOND as f32 - 1.0).abs() > 1e-4 {
+            return Err(MakeError::TimeStep(step));
+        }
         let graph = match self.source {
             Source::Name(name) => scene::named(&name, &self.settings.classes)?,
             Source::Graph(graph) => *graph,
@@ -241,15 +267,15 @@ impl Environment {
     ///
     /// ```
     /// use virtualcity::Environment;
-    /// let evening = Environment::builder("apartment/42").hour(19.5).make()?;
+    /// let evening = Environment::builder("apartment/42").agents(2).hour(19.5).make()?;
     /// # Ok::<(), virtualcity::MakeError>(())
     /// ```
     pub fn builder(name: impl Into<String>) -> EnvironmentBuilder {
         EnvironmentBuilder::new(Source::Name(name.into()), Assets::Generated)
     }
 
-    /// A builder of the environment of a scene of your own, as in [`of`](Self::of).
-    pub fn builder_of(graph: SceneGraph) -> EnvironmentBuilder {
+    /// A builder of the environment of a scene of your own, as in [`from_scene`](Self::from_scene).
+    pub fn builder_from_scene(graph: SceneGraph) -> EnvironmentBuilder {
         EnvironmentBuilder::new(Source::Graph(Box::new(graph)), Assets::None)
     }
 }

@@ -5,6 +5,8 @@ use std::fmt;
 use vc_graph::{Action, Change, ChangeSet, Effect, Label, NodeId, NodeKind, Place, Relation, SceneGraph, State, rule};
 use vc_physics::PhysicsWorld;
 
+use super::{ActionError, PhysicalRefusal};
+
 /// Distance below which a thing counts as not moved, metres.
 const STILL: f32 = 0.02;
 
@@ -195,5 +197,18 @@ fn touched(change: &Change) -> Vec<NodeId> {
         Change::States { id, .. } | Change::Pose { id, .. } | Change::Contents { id, .. } => vec![*id],
         Change::Link(edge) | Change::Unlink(edge) => vec![edge.from, edge.to],
         _ => Vec::new(),
+    }
+}
+
+/// The error of an action after which only a thing that would not stay where it was put is elsewhere: bodies know
+/// that they cannot do this.
+pub(super) fn unsteady(error: ActionError, balanced: Option<NodeId>) -> ActionError {
+    let ActionError::Disagreement(both) = error else { return error };
+    match both.differences.iter().find(|d| Some(d.thing.id) == balanced) {
+        Some(own) if both.differences.iter().all(|d| d.thing.id == own.thing.id) => {
+            let why = PhysicalRefusal::Unsteady(own.thing.clone());
+            ActionError::Impossible { action: both.action, why }
+        }
+        _ => ActionError::Disagreement(both),
     }
 }

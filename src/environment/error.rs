@@ -41,6 +41,12 @@ pub enum MakeError {
         /// How many there is floor for.
         found: usize,
     },
+    /// There is no such hour.
+    #[error("{0} is no hour of a day: an hour is from 0 to 24")]
+    Hour(f32),
+    /// Bodies would not keep step with the clock.
+    #[error("a step of {0} s: the clock of an environment has ticks of 1/60 s; `PhysicsWorld` alone takes other steps")]
+    TimeStep(f32),
     /// No agent is allowed to be missing.
     #[error("an environment needs at least one agent: ask for one, or more")]
     NoAgents,
@@ -141,9 +147,9 @@ pub enum ActionError {
     /// An agent is to do several things at once.
     #[error("{0} is to do several things at once: give one action for each agent")]
     Twice(Label),
-    /// Agents are doing something that takes time.
-    #[error("{} {} doing something still: let them finish with `step`, or `interrupt` them", in_a_row(.0), if .0.len() == 1 { "is" } else { "are" })]
-    Busy(Vec<Label>),
+    /// An agent that is acting cannot be steered.
+    #[error("{0} is acting: let it finish with `step_until_idle`, or `interrupt` it")]
+    Busy(Label),
     /// It was begun, and something came between; the world stays as it was then.
     #[error("{action}: {why}")]
     Interrupted {
@@ -177,7 +183,7 @@ fn taken_up(by: &[Label]) -> String {
 }
 
 /// The first few of some things, and how many more there are.
-fn in_a_row(labels: &[Label]) -> String {
+pub(super) fn in_a_row(labels: &[Label]) -> String {
     const NAMED: usize = 5;
     let named: Vec<String> = labels.iter().take(NAMED).map(Label::to_string).collect();
     let more = labels.len().saturating_sub(NAMED);
@@ -370,9 +376,15 @@ pub enum SaveError {
         /// Digest of the saved one's start.
         found: vc_graph::Digest,
     },
-    /// Agents are doing something that takes time.
-    #[error("{} {} doing something still: let them finish with `step`, or `interrupt` them", in_a_row(.0), if .0.len() == 1 { "is" } else { "are" })]
-    Busy(Vec<Label>),
+    /// Bytes have changed since they were saved.
+    #[error("the saved environment is damaged: its checksum does not fit")]
+    Damaged,
+    /// Endings of actions have not been asked for, and would be lost.
+    #[error("{0} endings of actions have not been read: `step(Span(0))` returns them")]
+    Unread(usize),
+    /// The clock cannot be written or read.
+    #[error("the clock: {0}")]
+    Clock(String),
     /// The scene in them cannot be read.
     #[error(transparent)]
     Format(#[from] FormatError),
@@ -389,4 +401,26 @@ pub enum SaveError {
     #[cfg(feature = "render")]
     #[error(transparent)]
     Cameras(#[from] crate::CameraError),
+}
+
+impl From<Disagreement> for ActionError {
+    fn from(disagreement: Disagreement) -> Self {
+        Self::Disagreement(Box::new(disagreement))
+    }
+}
+
+impl PhysicalRefusal {
+    /// Whether another body or a piece of the home is in the way, rather than the deed
+    /// being beyond bodies.
+    pub fn is_in_the_way(&self) -> bool {
+        matches!(
+            self,
+            Self::NoStand(_)
+                | Self::NoSpot { .. }
+                | Self::ShutsIn { .. }
+                | Self::KeepsOpen { .. }
+                | Self::Stuck { .. }
+                | Self::Unsteady(_)
+        )
+    }
 }

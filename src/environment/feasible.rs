@@ -4,8 +4,7 @@ use vc_graph::{Action, NodeId, Place, Relation, State, Verb};
 use vc_physics::{Floor, PhysicsWorld};
 
 use super::Environment;
-use super::execute::{Bodies, FreeSpot, Planner};
-use super::step::{RetryOptions, Step};
+use super::execute::{Bodies, FreeSpot, Planner, Step};
 
 impl Environment {
     /// Whether an agent would find a path to a spot in the thing's room from which its hands reach the thing
@@ -26,14 +25,7 @@ impl Environment {
 
     /// An action of which the rule is not asked.
     fn unchanged(&self, agent: NodeId, action: Action) -> Step {
-        Step {
-            before: self.graph.clone(),
-            after: self.graph.clone(),
-            agent,
-            action,
-            care: RetryOptions::default(),
-            claims: Vec::new(),
-        }
+        Step { before: self.graph.clone(), after: self.graph.clone(), agent, action, pushes: false, claims: Vec::new() }
     }
 
     /// Whether there are free spots for all of some things, each at one of several places. The things are
@@ -76,8 +68,8 @@ impl Environment {
             return None;
         }
         let FreeSpot { spot, first } = Planner::new(world, floor, &self.start, &step).spot(id, place).ok()?;
-        for mut motion in first {
-            Bodies { world, start: &self.start, before: &self.graph, agent }.perform(&mut motion).ok()?;
+        for motion in &first {
+            Bodies { world, start: &self.start, before: &self.graph, agent }.perform(motion).ok()?;
         }
         let room = self.graph.room_of(place.at);
         let (_, spot) = Planner::new(world, floor, &self.start, &step).stand_for(room, id, place, spot).ok()??;

@@ -12,7 +12,6 @@ use vc_relations::Relations;
 use super::clock::Clock;
 use super::reset::undress;
 use super::settle::come_to_rest;
-use super::undo::Undo;
 use super::{
     Assets, Displaced, Environment, EnvironmentSettings, MakeError, Start, Unplaced, astray, boxes, observe, scene,
     seats,
@@ -57,7 +56,7 @@ impl Environment {
     /// than the defaults.
     ///
     /// `Apartment::from_seed(seed).scene()` or `vc_graph::format::read_scene`, then
-    /// [`Environment::of`].
+    /// [`Environment::from_scene`].
     ///
     /// ```
     /// use virtualcity::{Environment, MakeError};
@@ -90,15 +89,15 @@ impl Environment {
     /// scene.add_in(room, Draft::new("floor").bounds(slab).at(Pose::translation(0.0, 0.0, -0.1)))?;
     /// let table = Bounds::standing([0.8, 0.8, 0.7].into());
     /// scene.add_in(room, Draft::new("table").bounds(table).at(Pose::translation(1.0, 0.0, 0.0)))?;
-    /// let home = Environment::of(scene.build(), 1)?;
+    /// let home = Environment::from_scene(scene.build(), 1)?;
     /// assert_eq!(home.agents().len(), 1);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     ///
     /// # Errors
     /// [`MakeError`].
-    pub fn of(graph: SceneGraph, agents: usize) -> Result<Self, MakeError> {
-        Self::builder_of(graph).agents(agents).make()
+    pub fn from_scene(graph: SceneGraph, agents: usize) -> Result<Self, MakeError> {
+        Self::builder_from_scene(graph).agents(agents).make()
     }
 
     pub(super) fn with_settings(
@@ -201,7 +200,6 @@ impl Environment {
             relations: start.relations.clone(),
             floor: start.floor.clone(),
             history: History::default(),
-            undo: Undo::default(),
             clock: Clock::at(&start.world),
             poses: BTreeMap::new(),
             #[cfg(feature = "render")]

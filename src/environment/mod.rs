@@ -1,6 +1,5 @@
 //! The environment: a home with bodies, in which agents act.
 
-mod act;
 mod alter;
 mod astray;
 mod body;
@@ -8,17 +7,17 @@ mod boxes;
 mod builder;
 mod clock;
 mod compare;
-mod course;
 mod error;
 mod execute;
 mod export;
 mod feasible;
+mod gaze;
 mod make;
+mod motion;
 mod observe;
 mod outlook;
 #[cfg(feature = "render")]
 mod pictures;
-mod playback;
 mod reset;
 mod save;
 mod scene;
@@ -26,11 +25,9 @@ mod seats;
 mod settle;
 mod stale;
 mod steer;
-mod step;
 mod survey;
 #[cfg(feature = "render")]
 mod threads;
-mod undo;
 
 use std::sync::Arc;
 
@@ -73,7 +70,7 @@ const WAIST: f32 = 0.9;
 /// | [`reset`](Self::reset) | `PhysicsWorld::reset`, `SpotSearch`, `PhysicsWorld::lower`, `PhysicsWorld::step`, `PhysicsWorld::put_to_sleep`, `Relations::update_with` |
 /// | [`observation`](Self::observation) | `SceneGraph::observe` |
 /// | [`render`](Self::render) | `Renderer::snapshot`, `Snapshot::place`, `Renderer::light`, `Renderer::follow`, `Renderer::render` |
-/// | [`set_action`](Self::set_action) | `rule::step`, then `Floor::standing_pose`, `PhysicsWorld::grab_with_load`, `SpotSearch`, `PhysicsWorld::put`, `PhysicsWorld::drive` ..., then `Relations::update_with` |
+/// | [`set_action`](Self::set_action) | `rule::refusals`, then the clock with `Floor::standing_pose_where`, `PhysicsWorld::grab_with_load`, `SpotSearch`, `PhysicsWorld::put` ..., then `Relations::update_with` |
 ///
 /// Before one acts: [`legal_actions`](Self::legal_actions), [`objects`](Self::objects),
 /// [`occupancy`](Self::occupancy). To arrange a home: [`spawn`](Self::spawn), [`put`](Self::put),
@@ -104,7 +101,6 @@ pub struct Environment {
     relations: Relations,
     floor: Floor,
     history: History,
-    undo: undo::Undo,
     clock: clock::Clock,
     /// The activities in which bodies are shown while an action takes its time.
     poses: std::collections::BTreeMap<NodeId, vc_people::Activity>,
@@ -216,7 +212,7 @@ impl Environment {
     }
 
     /// A number that says whether two environments are the same and will go on alike: of
-    /// the graph, the bodies and what has been done, each action. Costs as much as the graph's and
+    /// the graph, the bodies, what has been done, each action, and what is going on. Costs as much as the graph's and
     /// the bodies' own, a millisecond, and a microsecond for each action done.
     pub fn digest(&self) -> Digest {
         let mut hash = Digester::new();
@@ -224,6 +220,7 @@ impl Environment {
         for event in self.history.events() {
             hash.word(u64::from(event.agent.0)).words(event.action.to_string().bytes().map(u64::from));
         }
+        self.digest_clock(&mut hash);
         hash.digest()
     }
 

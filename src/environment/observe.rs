@@ -1,13 +1,16 @@
 //! Observation of bodies into the graph: poses and relations, only of things that have moved.
 
-use vc_graph::{ChangeSet, EditError, NodeId, Pose, Relation, SceneGraph};
+use vc_graph::{Change, ChangeSet, Edge, EditError, NodeId, Place, Pose, Property, Relation, SceneGraph, State};
 use vc_physics::{BodyRole, PhysicsWorld};
+use vc_relations::threshold::FACING_COSINE;
 use vc_relations::{Evidence, Relations};
 
 use super::{PhysicalRefusal, Start, boxes};
 
 /// Height of worn things above the wearer's feet, metres.
 const WORN: f32 = 0.9;
+/// What is no farther away over the floor is straight above or below: one looks up, metres.
+const ABOVE: f32 = 0.1;
 
 /// Writes the poses of bodies and of worn things into the graph, and returns the nodes whose pose changed.
 pub(super) fn write_poses(graph: &mut SceneGraph, world: &PhysicsWorld) -> Result<(Vec<NodeId>, ChangeSet), EditError> {
@@ -63,4 +66,57 @@ pub(super) fn look_again(
     };
     let edges = relations.write_except(graph, &met, kept).map_err(|e| unreadable(&e))?;
     Ok((met, poses.then(edges)))
+}
+
+/// Adds the places that the rule expects below a cover: a plate on a tablecloth is on the table too, as
+/// the rule knows no cloth.
+pub(super) fn lay_through(observed: &mut SceneGraph, ruled: &SceneGraph, changed: &[NodeId]) -> ChangeSet {
+    let is_cover = |id: NodeId| observed.node(id).is_some_and(|n| n.affords(Property::Cover));
+    let on = |id: NodeId, graph: &SceneGraph| graph.related(id, Relation::On).collect::<Vec<NodeId>>();
+    let through = |&id: &NodeId| {
+        let (wanted, found) = (on(id, ruled), on(id, observed));
+        let covered =
+            |at: &NodeId| found.iter().any(|c| is_cover(*c) && observed.has(Edge::new(*c, Relation::On, *at)));
+        let more: Vec<NodeId> = wanted.into_iter().filter(|at| !found.contains(at) && covered(at)).collect();
+        let places = found.into_iter().chain(more.iter().copied()).map(|at| Place { relation: Relation::On, at });
+        (!more.is_empty()).then(|| (id, places.collect::<Vec<Place>>()))
+    };
+    let laid: Vec<(NodeId, Vec<Place>)> = changed.iter().filter_map(through).collect();
+    let mut edit = observed.edit();
+    // The nodes are there and carry one another already, so this cannot fail.
+    laid.into_iter().for_each(|(id, places)| drop(edit.place_as_seen(id, &places, None)));
+    edit.commit()
+}
+
+/// What is somewhere else by the rule.
+pub(super) fn holder(change: &Change) -> Option<NodeId> {
+    use Change::{Link, Unlink};
+    match change {
+        Link(e) | Unlink(e) if matches!(e.relation, Relation::HoldsRight | Relation::HoldsLeft) => Some(e.to),
+        Link(e) | Unlink(e) if Relation::places().contains(&e.relation) => Some(e.from),
+        _ => None,
+    }
+}
+
+/// Keeps what an agent has turned to, as long as it is before it. Relations know of screens and
+/// pictures only that they are faced: one turns to anything.
+pub(super) fn keep_facing(observed: &mut SceneGraph, ruled: &SceneGraph, agent: NodeId) -> ChangeSet {
+    let before =
+        |id: &NodeId| !observed.has(Edge::new(agent, Relation::Facing, *id)) && is_before(observed, agent, *id);
+    let kept: Vec<NodeId> = ruled.related(agent, Relation::Facing).filter(before).collect();
+    let mut edit = observed.edit();
+    // Both are there.
+    kept.into_iter().for_each(|id| drop(edit.relate(Edge::new(agent, Relation::Facing, id))));
+    edit.commit()
+}
+
+/// Whether a thing is on the side of an agent to which its body is turned; who sits or lies turns
+/// the head.
+fn is_before(graph: &SceneGraph, agent: NodeId, id: NodeId) -> bool {
+    let (Some(body), Some(node)) = (graph.node(agent), graph.node(id)) else { return false };
+    let Some(feet) = body.pose() else { return true };
+    let Some(at) = node.aabb().map(|b| b.centre()).or_else(|| node.position()) else { return true };
+    let way = feet.inverse_transform_point(&at).xy().coords;
+    let seated = body.is(State::Sitting) || body.is(State::Lying);
+    seated || way.norm() < ABOVE || way.x >= FACING_COSINE * way.norm()
 }

@@ -9,7 +9,6 @@ use vc_relations::Relations;
 
 use super::clock::Clock;
 use super::settle::come_to_rest;
-use super::undo::Undo;
 use super::{Environment, ResetError, astray, boxes, observe, scene, seats, stale};
 
 /// How far below a thing its support may be, metres.
@@ -165,7 +164,7 @@ impl Environment {
             return Ok(ResetReport::default());
         }
         if *graph == self.graph && self.world.awake() == 0 {
-            (self.history, self.undo, self.poses) = (History::default(), Undo::default(), BTreeMap::new());
+            (self.history, self.poses) = (History::default(), BTreeMap::new());
             self.clock = Clock::at(&self.world);
             return Ok(Plan::of(&[&self.start.graph], graph).report(&self.start.graph, graph, graph));
         }
@@ -205,7 +204,7 @@ impl Environment {
         floor.update(&world);
         let report = plan.report(&start.graph, graph, &wanted);
         (self.graph, self.world, self.relations, self.floor) = (wanted, world, relations, floor);
-        (self.history, self.undo, self.clock) = (History::default(), Undo::default(), Clock::at(&self.world));
+        (self.history, self.clock) = (History::default(), Clock::at(&self.world));
         self.poses = BTreeMap::new();
         #[cfg(feature = "render")]
         if new_shapes || !report.added.is_empty() || !report.removed.is_empty() {
@@ -254,7 +253,7 @@ impl Environment {
         }
         (self.graph, self.world) = (start.graph.clone(), start.world.clone());
         (self.relations, self.floor) = (start.relations.clone(), start.floor.clone());
-        (self.history, self.undo, self.poses) = (History::default(), Undo::default(), BTreeMap::new());
+        (self.history, self.poses) = (History::default(), BTreeMap::new());
         self.clock = Clock::at(&self.world);
     }
 

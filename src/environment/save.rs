@@ -3,39 +3,38 @@
 use std::collections::BTreeMap;
 
 use vc_graph::format::native;
-use vc_graph::{Digest, Event, History, NodeId, SceneBuilder};
+use vc_graph::hash::Digester;
+use vc_graph::{Digest, Event, History, NodeId, SceneBuilder, SceneGraph};
 use vc_physics::PhysicsWorld;
 
-use super::clock::Clock;
-use super::undo::Undo;
-use super::{Environment, SaveError, observe};
+use super::{Environment, SaveError};
 
-/// The bytes with which saved environments begin: without cameras that were added, and with them.
-const MAGIC: [&[u8; 8]; 2] = [b"VCENV 2\n", b"VCENV 3\n"];
+/// The bytes with which saved environments begin.
+const MAGIC: &[u8; 8] = b"VCENV 4\n";
 
 impl Environment {
     /// The environment as bytes, for [`restore`](Self::restore): the scene (`format::native::write`), the
-    /// bodies (`PhysicsWorld::save`), the history, and cameras that were added. `clone` is a much cheaper copy in memory.
+    /// bodies (`PhysicsWorld::save`), the history, what agents are in the middle of doing, the processes that go on, and
+    /// cameras that were added; not sensors. `clone` is a much cheaper copy in memory.
     ///
     /// # Errors
-    /// [`SaveError::World`], [`SaveError::Busy`] while actions take their time.
+    /// [`SaveError::World`], [`SaveError::Unread`].
     pub fn save(&self) -> Result<Vec<u8>, SaveError> {
-        if self.is_busy() {
-            return Err(SaveError::Busy(self.busy()));
+        match self.unread_endings() {
+            0 => {}
+            unread => return Err(SaveError::Unread(unread)),
         }
         let line = |e: &Event| format!("{} {}\n", e.agent.0, e.action);
         let history: String = self.history.events().iter().map(line).collect();
-        let cameras = self.saved_cameras();
-        let mut bytes = MAGIC[usize::from(cameras.is_some())].to_vec();
-        bytes.extend(self.start.graph.digest().0.to_le_bytes());
-        bytes.extend(u64::from(self.graph.next_number()).to_le_bytes());
         let (scene, world) = (native::write(&self.graph), self.world.save()?);
-        let parts = [scene.as_bytes(), &world, history.as_bytes()];
-        for part in parts.into_iter().chain(cameras.as_ref().map(String::as_bytes)) {
-            bytes.extend((part.len() as u64).to_le_bytes());
-            bytes.extend(part);
+        let (clock, cameras) = (self.saved_clock()?, self.saved_cameras().unwrap_or_default());
+        let mut content = self.start.graph.digest().0.to_le_bytes().to_vec();
+        content.extend(u64::from(self.graph.next_number()).to_le_bytes());
+        for part in [scene.as_bytes(), &world, history.as_bytes(), clock.as_bytes(), cameras.as_bytes()] {
+            content.extend((part.len() as u64).to_le_bytes());
+            content.extend(part);
         }
-        Ok(bytes)
+        Ok([MAGIC.as_slice(), &checksum(&content).to_le_bytes(), &content].concat())
     }
 
     /// Restores a saved environment, which then evolves as the saved one does, bit for bit. `self` has to have
@@ -44,44 +43,37 @@ impl Environment {
     /// Uses `format::native::read`, `PhysicsWorld::restore`, `Relations::rebuild` and `Floor::update`.
     ///
     /// # Errors
-    /// [`SaveError`] if the bytes are no saved environment, or were saved by one with another start.
+    /// [`SaveError`] if the bytes are no saved environment, are damaged, or were saved by one with another start.
     pub fn restore(&self, bytes: &[u8]) -> Result<Self, SaveError> {
-        let begins = |magic: &[u8; 8]| bytes.strip_prefix(magic.as_slice());
-        let with_cameras = begins(MAGIC[1]).is_some();
-        let rest = MAGIC.into_iter().find_map(begins).ok_or(SaveError::NotSaved)?;
-        let (digest, rest) = number(rest)?;
+        let (sum, content) = number(bytes.strip_prefix(MAGIC).ok_or(SaveError::NotSaved)?)?;
+        let (digest, rest) = number(content)?;
+        let (next, rest) = number(rest)?;
+        let (scene, rest) = part(rest)?;
+        let (world, rest) = part(rest)?;
+        let (history, rest) = part(rest)?;
+        let (clock, rest) = part(rest)?;
+        let (cameras, rest) = part(rest)?;
+        if !rest.is_empty() {
+            return Err(SaveError::More(rest.len()));
+        }
+        if checksum(content) != sum {
+            return Err(SaveError::Damaged);
+        }
         let (expected, found) = (self.start.graph.digest(), Digest(digest));
         if expected != found {
             return Err(SaveError::OtherStart { expected, found });
         }
-        let (next, rest) = number(rest)?;
-        let next = u32::try_from(next).map_err(|_| SaveError::NotSaved)?;
-        let (scene, rest) = part(rest)?;
-        let (world, rest) = part(rest)?;
-        let (history, rest) = part(rest)?;
-        let (cameras, rest) =
-            if with_cameras { part(rest).map(|(own, rest)| (Some(own), rest))? } else { (None, rest) };
-        if !rest.is_empty() {
-            return Err(SaveError::More(rest.len()));
-        }
         let text = |bytes| std::str::from_utf8(bytes).map_err(|_| SaveError::NotSaved);
-        let mut graph = native::read(text(scene)?, self.start.graph.classes())?;
-        let mut builder = SceneBuilder::from_graph(graph);
-        if builder.graph().assets() == self.graph.assets() {
-            builder.assets(self.graph.assets().clone());
-        }
-        builder.number_from(next);
-        graph = builder.build();
+        let graph = self.read_scene(text(scene)?, u32::try_from(next).map_err(|_| SaveError::NotSaved)?)?;
         let world = PhysicsWorld::restore(world, &graph, &self.start.shapes)?;
         let mut relations = self.start.relations.clone();
         relations.rebuild(&graph)?;
-        relations.set_evidence(&graph, observe::evidence(&world))?;
         let mut floor = self.start.floor.clone();
         floor.update(&world);
-        let none = (History::default(), Undo::default());
-        let mut copy = Self { graph, world, relations, floor, history: none.0, undo: none.1, ..self.clone() };
-        (copy.poses, copy.clock) = (BTreeMap::new(), Clock::at(&copy.world));
-        copy.restore_cameras(cameras.map(text).transpose()?)?;
+        let mut copy = Self { graph, world, relations, floor, history: History::default(), ..self.clone() };
+        copy.poses = BTreeMap::new();
+        copy.restore_clock(text(clock)?)?;
+        copy.restore_cameras(Some(text(cameras)?).filter(|text| !text.is_empty()))?;
         for line in text(history)?.lines() {
             let (agent, action) = line.split_once(' ').ok_or(SaveError::NotSaved)?;
             let agent = NodeId(agent.parse().map_err(|_| SaveError::NotSaved)?);
@@ -89,6 +81,22 @@ impl Environment {
         }
         Ok(copy)
     }
+
+    /// Reads a scene of this environment, in which the next node gets a number.
+    pub(super) fn read_scene(&self, text: &str, next: u32) -> Result<SceneGraph, SaveError> {
+        let mut builder = SceneBuilder::from_graph(native::read(text, self.start.graph.classes())?);
+        if builder.graph().assets() == self.graph.assets() {
+            builder.assets(self.graph.assets().clone());
+        }
+        builder.number_from(next);
+        Ok(builder.build())
+    }
+}
+
+fn checksum(content: &[u8]) -> u64 {
+    let mut hash = Digester::new();
+    hash.words(content.iter().map(|byte| u64::from(*byte)));
+    hash.digest().0
 }
 
 #[cfg(feature = "render")]

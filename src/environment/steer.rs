@@ -4,8 +4,7 @@ use nalgebra::{Point3, Vector2, Vector3};
 use vc_graph::portable::Portable;
 use vc_graph::{ChangeSet, NodeId};
 
-use super::undo::Undo;
-use super::{ActionError, Environment, PhysicalRefusal, observe};
+use super::{ActionError, Environment, PhysicalRefusal};
 
 /// The control input of a body for one tick.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -28,8 +27,8 @@ impl Environment {
     /// `PhysicsWorld::step`, `PhysicsWorld::turn` and `Relations::update_with`.
     ///
     /// # Errors
-    /// [`ActionError::Impossible`] if there is no such agent, it does not stand, or a number is not finite; in
-    /// these cases no time has passed.
+    /// [`ActionError::Impossible`] if there is no such agent, it does not stand, or a number is not finite,
+    /// [`ActionError::Busy`] while it acts; in these cases no time has passed.
     ///
     /// ```
     /// use nalgebra::Vector2;
@@ -54,14 +53,14 @@ impl Environment {
             let refused = vc_physics::PhysicsError::NotFinite("the heading", agent);
             return Err(impossible(refused.into()));
         }
+        if self.current_action(agent).is_some() {
+            return Err(ActionError::Busy(self.graph.label(agent)));
+        }
         self.world.go(agent, steering.velocity).map_err(|e| impossible(e.into()))?;
-        // Earlier actions cannot be replayed across this tick.
-        self.undo = Undo::default();
-        self.clock.scene_changed();
         if steering.jump {
             self.world.jump(agent).map_err(|e| impossible(e.into()))?;
         }
-        self.world.step();
+        let before = self.pass_tick();
         let (sin, cos) = steering.heading.sine_cosine();
         if let Some(feet) = self.world.pose(agent) {
             let ahead = Point3::from(feet.translation.vector + Vector3::new(cos, sin, 0.0));
@@ -70,7 +69,6 @@ impl Environment {
             self.world.turn(agent, turned.rotation).map_err(|e| impossible(e.into()))?;
         }
         self.world.go(agent, Vector2::zeros()).map_err(|e| impossible(e.into()))?;
-        let seen = observe::look_again(&mut self.graph, &self.start, &self.world, &mut self.relations, &[]);
-        seen.map(|(_, changes)| changes).map_err(impossible)
+        self.seen_since(before).map_err(impossible)
     }
 }

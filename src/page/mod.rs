@@ -9,7 +9,7 @@ const PLAYER: &str = include_str!("player.js");
 
 /// An HTML page about an episode in any world, as plain data: it shows the fields that are filled in.
 ///
-/// [`Recorder`](crate::Recorder) writes a page with film, pictures and log; [`Page::of`] makes a page with the
+/// [`Recorder`](crate::Recorder) writes a page with film, pictures and log; [`Page::from_trajectory`] makes a page with the
 /// log from a trajectory in any world, the symbolic simulator or your own. The page is one HTML file that loads
 /// nothing from the network, so that it opens from a disk; the pictures it names lie beside it.
 ///
@@ -28,7 +28,7 @@ const PLAYER: &str = include_str!("player.js");
 /// let mut world = Simulator::new(scene.build());
 /// let trajectory = Trajectory::record(&EpisodeOptions::default(), &mut PlannerPolicy::best(), &task, &mut world);
 ///
-/// let page = Page::of(&trajectory);
+/// let page = Page::from_trajectory(&trajectory);
 /// assert!(page.html().contains("open fridge.2"));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -118,7 +118,7 @@ impl Page {
     }
 
     /// A page about a trajectory, with its log.
-    pub fn of(trajectory: &Trajectory) -> Self {
+    pub fn from_trajectory(trajectory: &Trajectory) -> Self {
         let Trajectory { header, steps, summary } = trajectory;
         let actions = steps.iter().map(PageAction::of).collect();
         Self { actions, ..Self::new(&header.task, &header.scene, &header.goal.to_string(), summary.clone()) }

@@ -11,6 +11,7 @@ mod trajectory;
 use std::path::{Path, PathBuf};
 
 use nalgebra::Point2;
+use vc_graph::clock::Span;
 use vc_graph::{Action, ChangeSet, History, Label, NodeId, SceneGraph};
 use vc_planner::Summary;
 use vc_render::picture;
@@ -29,7 +30,8 @@ const SIX: &str = "Colours, instances, classes; depth, optical flow, boxes and m
 /// An environment that writes down what happens in it.
 ///
 /// It is a [`World`], so that a policy acts in it as in any other; each action is shown in time
-/// ([`Environment::set_action_in_time`]), and after every sixth of a second pictures are made: in
+/// ([`Environment::set_action_in_time`]), and after every sixth of a second pictures are made, in actions that take minutes
+/// a few in all: in
 /// long episodes after every third, and so on, so that a film has no more than 180.
 /// The folder then has
 ///
@@ -81,6 +83,7 @@ pub struct Recorder {
     /// The home's time, seconds.
     time: f64,
     actions: Vec<PageAction>,
+    attempts: Vec<(NodeId, Action)>,
     /// The first thing that went wrong with pictures and files.
     failed: Option<RecordError>,
 }
@@ -202,13 +205,18 @@ impl Recorder {
         let film = Film::new(&home, agent, options.width);
         let ways = home.agents().iter().map(|agent| vec![feet(&home, *agent)]).collect();
         let task = task.clone();
-        let (actions, failed) = (Vec::new(), None);
-        Ok(Self { home, task, own, film, dataset, trajectory, ways, time: 0.0, actions, failed })
+        let (actions, attempts, failed) = (Vec::new(), Vec::new(), None);
+        Ok(Self { home, task, own, film, dataset, trajectory, ways, time: 0.0, actions, attempts, failed })
     }
 
     /// The environment as it is.
     pub fn environment(&self) -> &Environment {
         &self.home
+    }
+
+    /// Every action that was tried, whatever came of it: in a home that began alike they lead to the same end.
+    pub fn attempts(&self) -> &[(NodeId, Action)] {
+        &self.attempts
     }
 
     /// The length of all agents' paths together, metres.
@@ -289,6 +297,12 @@ impl Recorder {
         page
     }
 
+    /// The time between two looks at an action. One that takes minutes is shown in a few seconds.
+    fn every(&self, action: &Action) -> Span {
+        let long = self.home.duration(action).unwrap_or_default();
+        Span(u64::from(film::EVERY).max(long.0 / LOOKS))
+    }
+
     fn note(&mut self, outcome: Result<(), RecordError>) {
         if self.failed.is_none() {
             self.failed = outcome.err();
@@ -308,16 +322,16 @@ impl World for Recorder {
     fn step(&mut self, agent: NodeId, action: &Action) -> Result<ChangeSet, WorldError> {
         let words = action.describe(self.home.graph()).to_string();
         self.film.begin_action(&self.home, agent);
-        let (mut ticks, mut failed) = (0_u32, None);
-        let done = self.home.set_action_in_time(agent, *action, |now| {
-            ticks += 1;
+        self.attempts.push((agent, *action));
+        let (begin, every, mut failed) = (self.home.tick(), self.every(action), None);
+        let done = self.home.set_action_in_time(agent, *action, every, |now| {
             go_on(&mut self.ways, now);
             if failed.is_none() {
-                failed = self.film.tick(now, self.dataset.as_mut()).err();
+                failed = self.film.go_on(now, self.dataset.as_mut()).err();
             }
         });
         self.note(failed.map_or(Ok(()), Err));
-        self.time += f64::from(ticks) * f64::from(self.home.world().settings().dt);
+        self.time += (self.home.tick() - begin).seconds();
         go_on(&mut self.ways, &self.home);
         let why = done.as_ref().err().map(ToString::to_string);
         let noted = self.trajectory.step(&self.home, agent, &words, self.time, why.as_deref());
@@ -352,6 +366,9 @@ fn go_on(ways: &mut [Vec<Point2<f32>>], home: &Environment) {
 fn feet(home: &Environment, agent: NodeId) -> Point2<f32> {
     home.world().pose(agent).map_or_else(Point2::origin, |p| p.translation.vector.xy().into())
 }
+
+/// Looks at an action that takes longer than bodies need.
+const LOOKS: u64 = 24;
 
 /// The files of a record, besides those of its film and its dataset.
 const FILES: [&str; 12] = [

@@ -6,6 +6,7 @@ use std::collections::BTreeMap;
 
 use nalgebra::{Point3, Vector3};
 use virtualcity::Environment;
+use virtualcity::graph::clock::{Durations, Span};
 use virtualcity::graph::{Action, NodeId, Place, Pose, Property, Relation, State, Verb};
 use virtualcity::physics::{BodyRole, Hand, Posture};
 
@@ -13,7 +14,9 @@ use virtualcity::physics::{BodyRole, Hand, Posture};
 const SAME: f32 = 0.05;
 
 fn home(seed: u64) -> (Environment, NodeId) {
-    let home = super::home(seed, 1);
+    // Eating and sleeping take no longer than they are shown.
+    let builder = Environment::builder(format!("apartment/{seed}"));
+    let home = builder.durations(Durations::default()).make().unwrap();
     let me = home.agents()[0];
     (home, me)
 }
@@ -22,7 +25,7 @@ fn home(seed: u64) -> (Environment, NodeId) {
 fn show(home: &mut Environment, verb: Verb, things: &[NodeId], watch: impl FnMut(&Environment)) {
     let (me, action) = (home.agents()[0], Action::with(verb, things).unwrap());
     let words = action.describe(home.graph()).to_string();
-    let done = home.set_action_in_time(me, action, watch);
+    let done = home.set_action_in_time(me, action, Span(1), watch);
     assert!(done.is_ok(), "{words}: {}", done.unwrap_err());
 }
 

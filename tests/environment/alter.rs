@@ -174,7 +174,7 @@ fn homes_stand_at_any_height() {
             edit.set_pose(id, Some(Pose::translation(0.0, 0.0, height) * pose)).unwrap();
         }
         edit.commit();
-        let mut home = Environment::of(graph, 1).unwrap();
+        let mut home = Environment::from_scene(graph, 1).unwrap();
         let me = home.agents()[0];
         assert!((home.world().pose(me).unwrap().translation.z - height).abs() < 0.02);
         for room in home.graph().rooms().to_vec() {

@@ -42,7 +42,7 @@ impl Kitchen {
     }
 
     fn home(self) -> Environment {
-        Environment::of(self.scene.build(), 1).unwrap()
+        Environment::from_scene(self.scene.build(), 1).unwrap()
     }
 }
 
@@ -89,7 +89,7 @@ fn what_has_no_place_to_go_back_to_is_named() {
 fn a_home_without_floor_is_none() {
     let mut kitchen = kitchen(false);
     kitchen.mug([1.5, 0.0, 0.9], Some(kitchen.table));
-    match Environment::of(kitchen.scene.build(), 1) {
+    match Environment::from_scene(kitchen.scene.build(), 1) {
         Ok(home) => is_whole(&home),
         Err(error) => assert!(matches!(error, MakeError::NoRoom { .. }), "{error}"),
     }
@@ -191,7 +191,7 @@ fn what_is_far_from_its_place_is_put_back() {
     let text = include_str!("../data/boxes_table.json");
     let made = |text: &str| {
         let scene = read_scene(text, &ClassTable::builtin()).unwrap();
-        Environment::of(scene, 1).unwrap()
+        Environment::from_scene(scene, 1).unwrap()
     };
     for at in ["1.5, -5, 0", "1.5, -3, 0", "1.5, 20, 0", "1.5, 9000, 0", "60, 0.84, 0"] {
         let home = made(&text.replace("\"center\": [1.5, 0.84, 0]", &format!("\"center\": [{at}]")));

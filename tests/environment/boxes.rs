@@ -28,7 +28,7 @@ fn a_home_comes_back_from_the_thesis_form() {
             let off = (was.min - is.min).norm().max((was.max - is.max).norm());
             assert!(off < 2e-3, "{}: {was:?} {is:?}", old.label());
         }
-        let home = Environment::of(read, 1).unwrap();
+        let home = Environment::from_scene(read, 1).unwrap();
         assert_eq!(home.left_out(), []);
         let stays = |n: &&Node| {
             let now = home.graph().node(n.id()).and_then(|n| n.position());
@@ -50,7 +50,7 @@ fn a_home_comes_back_from_the_thesis_form() {
 
 /// A scene of which only bounding boxes are known.
 fn boxes(text: &str) -> Environment {
-    Environment::of(read_scene(text, &ClassTable::builtin()).unwrap(), 1).unwrap()
+    Environment::from_scene(read_scene(text, &ClassTable::builtin()).unwrap(), 1).unwrap()
 }
 
 pub(super) fn one(home: &Environment, class: &str) -> NodeId {

@@ -19,7 +19,7 @@ fn environment(task: &str) -> (Environment, NodeId) {
 fn environment_of(task: &str, seed: u64) -> (Environment, NodeId) {
     let benchmark = Benchmark::v1();
     let activity = benchmark.get(task).unwrap();
-    let open = |home: SceneGraph| Environment::of(home, 1).map_err(WorldError::failed);
+    let open = |home: SceneGraph| Environment::from_scene(home, 1).map_err(WorldError::failed);
     let made =
         at_home_that(activity, Seed(seed), &generator(), open, |home, initial| feasible(activity, home, initial));
     let made = made.unwrap();

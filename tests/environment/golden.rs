@@ -22,7 +22,7 @@ const SEEDS: u64 = 10;
 const FIRST: usize = 12;
 
 fn with_bodies(home: SceneGraph) -> Result<Environment, WorldError> {
-    Environment::of(home, 1).map_err(WorldError::failed)
+    Environment::from_scene(home, 1).map_err(WorldError::failed)
 }
 
 /// An episode: its actions, and the scene after each.

@@ -22,7 +22,7 @@ fn kitchen() -> SceneGraph {
 }
 
 fn home() -> (Environment, NodeId) {
-    let home = Environment::of(kitchen(), 1).unwrap();
+    let home = Environment::from_scene(kitchen(), 1).unwrap();
     let me = home.agents()[0];
     (home, me)
 }
@@ -101,6 +101,6 @@ fn scenes_may_be_of_something_else() {
         assert_eq!(home.graph().digest(), home.start().digest());
     }
     let _ = home.set_action(me, Action::one(Verb::Walk, NodeId(u32::MAX)));
-    let empty = Environment::of(SceneBuilder::new("nothing").build(), 1);
+    let empty = Environment::from_scene(SceneBuilder::new("nothing").build(), 1);
     assert!(matches!(empty, Err(MakeError::NoPoses { .. })));
 }

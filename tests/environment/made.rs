@@ -265,7 +265,7 @@ fn errors_name_what_is_not_there() {
         assert!(told.starts_with(&format!("{} {why}", home.graph().label(fridge))), "{told}");
     }
     let dance: virtualcity::graph::Action = "dance".parse().unwrap();
-    let mut batch = virtualcity::Batch::of(vec![home]);
+    let mut batch = virtualcity::Batch::new(vec![home]);
     let outcomes = batch.set_actions(&vec![vec![(me, dance)]; 3]);
     assert_eq!(outcomes.len(), 3);
     assert!(outcomes[0][0].is_ok());

@@ -195,8 +195,10 @@ fn datasets_go_on_as_they_began() {
     let options = RecordOptions { width: 16, dataset: true, ..RecordOptions::default() };
     let at = folder("record_long");
     let mut recorder = Recorder::create(&at, home, me, &task, options).unwrap();
+    let mut actions = 0.0;
     for room in rooms.into_iter().cycle() {
         recorder.step(me, &Action::one(Verb::Walk, room)).unwrap();
+        actions += 1.0;
         // The film has become sparser.
         if recorder.seconds() > 32.0 {
             break;
@@ -207,7 +209,8 @@ fn datasets_go_on_as_they_began() {
     let episode = Episode { outcome: Outcome::TimedOut, score: 0.0, steps: 0, reason: None, digest };
     recorder.finish(&episode, None).unwrap();
     let frames = files(&at).keys().filter(|name| name.starts_with("frames")).count();
-    assert!((frames as f64 - 6.0 * seconds).abs() <= 1.0, "{frames} frames of {seconds} s");
+    // The last look at an action may come earlier.
+    assert!((0.0..=actions + 1.0).contains(&(frames as f64 - 6.0 * seconds)), "{frames} frames of {seconds} s");
 }
 
 #[test]

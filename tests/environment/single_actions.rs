@@ -1,5 +1,6 @@
 //! Single actions with bodies: opening, fetching, putting down, and refusals.
 
+use virtualcity::graph::clock::Span;
 use virtualcity::graph::{Action, Node, NodeId, NodeKind, ParsedAction, Place, Pose, Relation, State, Verb};
 use virtualcity::nalgebra::Point2;
 use virtualcity::physics::{BodyRole, Hand};
@@ -98,7 +99,7 @@ fn time_changes_nothing_but_what_is_seen() {
     for actions in [both, open] {
         assert!(at_once.set_actions(&actions).iter().all(Result::is_ok));
         let mut last = in_time.world().pose(agents[0]).unwrap().translation.vector;
-        let outcomes = in_time.set_actions_in_time(&actions, |now| {
+        let outcomes = in_time.set_actions_in_time(&actions, Span(1), |now| {
             let at = now.world().pose(agents[0]).unwrap().translation.vector;
             assert!((at - last).norm() < 0.1, "a leap of {} m", (at - last).norm());
             (last, ticks) = (at, ticks + 1);

@@ -42,7 +42,7 @@ fn moved(was: &SceneGraph, now: &SceneGraph) -> Vec<String> {
 
 /// A home of boxes with the looks of its classes.
 fn generated(graph: SceneGraph) -> Result<Environment, MakeError> {
-    Environment::builder_of(graph).assets(Assets::Generated).make()
+    Environment::builder_from_scene(graph).assets(Assets::Generated).make()
 }
 
 /// A scene of VirtualHome, if the shared data exists.
@@ -67,7 +67,7 @@ fn a_home_stands_the_same_however_it_is_made() {
         let name = graph.name().to_owned();
         let read = native::read(&native::write(&graph), graph.classes()).unwrap();
         for form in [graph.clone(), read.clone()] {
-            let again = Environment::of(form, 1).unwrap();
+            let again = Environment::from_scene(form, 1).unwrap();
             assert!(again.left_out().is_empty(), "{name}");
             assert_eq!(moved(&graph, again.graph()), Vec::<String>::new(), "{name}");
             assert_eq!(differences(&graph, again.graph(), &[]), Vec::<String>::new(), "{name}");
@@ -225,7 +225,7 @@ fn who_sits_in_a_scene_sits() {
     let (me, sofa) = (sitting.agents()[0], one(&sitting, "sofa"));
     act(&mut sitting, me, Verb::Walk, &[sofa]);
     act(&mut sitting, me, Verb::Sit, &[sofa]);
-    let again = Environment::of(sitting.graph().clone(), 1).unwrap();
+    let again = Environment::from_scene(sitting.graph().clone(), 1).unwrap();
     assert_eq!(again.posture(me), sitting.posture(me));
     assert_eq!(again.world().pose(me), sitting.world().pose(me));
     let mut reset = home(42, 1);
@@ -286,7 +286,7 @@ fn nobody_stays_in_a_wall() {
 #[test]
 fn a_home_of_its_own_graph_is_the_same() {
     let home = home(7123, 1);
-    let again = Environment::of(home.graph().clone(), 1).unwrap();
+    let again = Environment::from_scene(home.graph().clone(), 1).unwrap();
     let shifted: Vec<String> = moved_at_all(home.graph(), again.graph());
     assert_eq!(shifted, Vec::<String>::new());
     assert!(home.graph().edges().eq(again.graph().edges()));
@@ -343,7 +343,7 @@ fn what_is_restored_is_what_was_saved() {
     add("floor", standing(6.0, 6.0, 0.1), [0.0, 0.0, -0.1]);
     let table = add("kitchen_table", standing(1.0, 1.0, 0.8), [0.0, 1.5, 0.0]);
     add("apple", standing(0.08, 0.08, 0.08), [0.0, 1.5, 0.8]);
-    let mut home = Environment::of(scene.build(), 1).unwrap();
+    let mut home = Environment::from_scene(scene.build(), 1).unwrap();
     let mut graph = home.graph().clone();
     let pear = home.spawn("pear", Place { relation: Relation::On, at: table }).unwrap();
     let mut with = home.graph().clone();
@@ -366,7 +366,7 @@ fn a_huge_box_is_refused_at_once() {
     let mut scene = SceneBuilder::new("huge");
     let bounds = Bounds::standing([0.7, 0.7, 1e5].into());
     scene.add(Draft::new("fridge").bounds(bounds).at(Pose::identity())).unwrap();
-    let error = Environment::of(scene.build(), 1).unwrap_err();
+    let error = Environment::from_scene(scene.build(), 1).unwrap_err();
     assert!(matches!(error, MakeError::Relations(_)), "{error}");
 }
 

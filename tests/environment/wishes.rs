@@ -21,14 +21,14 @@ fn hall(side: f32) -> SceneGraph {
 /// other.
 #[test]
 fn agents_find_room_on_all_the_floor() {
-    let home = Environment::of(hall(12.0), 60).unwrap();
+    let home = Environment::from_scene(hall(12.0), 60).unwrap();
     let at = |id: &NodeId| home.world().pose(*id).unwrap().translation.vector.xy();
     let feet: Vec<_> = home.agents().iter().map(at).collect();
     assert_eq!(feet.len(), 60);
     let apart = |i: usize| feet[i + 1..].iter().all(|other| (other - feet[i]).norm() > 0.75);
     assert!((0..feet.len()).all(apart));
-    assert_eq!(Environment::of(hall(60.0), 1000).unwrap().agents().len(), 1000);
-    match Environment::of(hall(4.0), 100).unwrap_err() {
+    assert_eq!(Environment::from_scene(hall(60.0), 1000).unwrap().agents().len(), 1000);
+    match Environment::from_scene(hall(4.0), 100).unwrap_err() {
         MakeError::NoRoom { asked: 100, found } => assert!((9..=25).contains(&found), "{found}"),
         other => panic!("{other}"),
     }
@@ -58,7 +58,7 @@ fn what_is_not_set_down_in_a_home_is_refused_at_once() {
 /// Trailing bytes after a saved environment are refused, and agents are named one by one.
 #[test]
 fn errors_say_which_and_how_much() {
-    let mut home = Environment::of(hall(6.0), 1).unwrap();
+    let mut home = Environment::from_scene(hall(6.0), 1).unwrap();
     let mut bytes = home.save().unwrap();
     assert!(home.restore(&bytes).is_ok());
     bytes.extend(b"more");
@@ -72,7 +72,7 @@ fn errors_say_which_and_how_much() {
 /// The class in a label is checked when the action is performed.
 #[test]
 fn actions_with_labels_of_other_things_are_refused() {
-    let mut home = Environment::of(hall(6.0), 1).unwrap();
+    let mut home = Environment::from_scene(hall(6.0), 1).unwrap();
     let (me, chair) = (home.agents()[0], home.graph().of_class("chair")[0]);
     let before = home.digest();
     let wrong = home.set_action(me, format!("walk apple.{}", chair.0).parse().unwrap());

@@ -117,12 +117,14 @@ impl Environment {
 
     /// Whoever is in the doorway of a door keeps it; whoever would walk into it stops.
     pub(super) fn heed_passers(&mut self, agent: NodeId, leaf: &Leaf) -> Result<(), ActionError> {
+        let Some(action) = self.clock.running.get(&agent).map(|schedule| schedule.action) else { return Ok(()) };
         let now = self.tick();
         let met: Vec<_> = self.ways(agent).filter_map(|(who, way)| Some((who, way.in_doorway(leaf.id)?))).collect();
         for (by, (from, to)) in met {
             let door = self.graph.label(leaf.id);
             if from <= now && now <= to {
-                return Err(self.interrupted(agent, Interruption::InDoorway { door, by: self.graph.label(by) }));
+                let why = Interruption::InDoorway { door, by: self.graph.label(by) };
+                return Err(self.interrupted(&action, why));
             }
             if from > now && from <= leaf.end() {
                 self.interrupt_for(by, Interruption::Shut { door, by: self.graph.label(agent) });

@@ -14,7 +14,8 @@ pub struct Ending {
     pub agent: NodeId,
     /// The action.
     pub action: Action,
-    /// The changes of the graph since its effects came true, or the reason for which it ended before that or otherwise.
+    /// The changes of the graph since the ending of the last action that was done, or the reason for which this one was
+    /// not.
     pub outcome: Result<ChangeSet, ActionError>,
 }
 

@@ -1,16 +1,16 @@
 //! Beginnings of actions, and the events of their motions.
 
-use vc_graph::clock::Tick;
-use vc_graph::{Action, ChangeSet, Effect, NodeId, Pose, rule};
-use vc_physics::Posture;
+use vc_graph::asset::JointKind;
+use vc_graph::{Action, NodeId, Pose, rule};
+use vc_physics::{MovingPart, Posture};
 
 use super::schedule::{NEVER, Phase, Schedule, Truth, lasts};
+use super::show::Settling;
 use super::track::{Leaf, Track, Turn};
 use super::{Interruption, track};
-use crate::environment::act::holder;
-use crate::environment::course::{BodyMotion, Drive};
-use crate::environment::execute::{Bodies, Plan, Planner, Task};
-use crate::environment::step::{RetryOptions, Step};
+use crate::environment::execute::{Bodies, Plan, Planner, Step, Task, WIDE};
+use crate::environment::motion::{BodyMotion, Drive};
+use crate::environment::observe::holder;
 use crate::environment::{ActionError, Environment, PhysicalRefusal};
 
 /// Ticks after which a door that is pushed counts as stuck.
@@ -27,20 +27,22 @@ impl Environment {
         if !refusals.is_empty() {
             return self.end(agent, action, Err(ActionError::Refused(refusals)));
         }
-        self.clock.running.insert(agent, Schedule::new(action, RetryOptions::default()));
+        self.clock.running.insert(agent, Schedule::new(action));
         self.go_on(agent);
     }
 
     /// The event that is due.
     pub(super) fn fire(&mut self, agent: NodeId) {
+        let now = self.tick();
         // Somebody else's event may have ended it in this tick.
-        let Some(schedule) = self.clock.running.get_mut(&agent).filter(|s| s.until <= Tick(self.world.ticks())) else {
+        let Some(schedule) = self.clock.running.get_mut(&agent).filter(|s| s.until <= now) else {
             return;
         };
         let done = match schedule.phase {
             Phase::Out => self.at_hand(agent),
             // Somebody else may have opened or shut it meanwhile.
-            Phase::Leaf | Phase::Pushes(_) => self.still_allowed(agent).and_then(|()| self.perform(agent)),
+            Phase::Pushes(_, false) => self.still_allowed(agent).and_then(|()| self.push_behind(agent)),
+            Phase::Leaf | Phase::Pushes(_, true) => self.still_allowed(agent).and_then(|()| self.perform(agent)),
             Phase::Ends => return self.finish_in_time(agent),
             Phase::Back | Phase::Rests => Ok(()),
         };
@@ -51,7 +53,7 @@ impl Environment {
     }
 
     /// Goes on to the next motion that takes time.
-    fn go_on(&mut self, agent: NodeId) {
+    pub(super) fn go_on(&mut self, agent: NodeId) {
         loop {
             let now = self.tick();
             match self.clock.running.get(&agent) {
@@ -100,7 +102,7 @@ impl Environment {
         let plan = self.plan(agent, task);
         let jams = matches!(plan, Err(PhysicalRefusal::Stuck { .. }));
         if let (true, Some((id, open)), Some(schedule)) = (jams, opened, self.clock.running.get_mut(&agent))
-            && !std::mem::replace(&mut schedule.care.pushes, true)
+            && !std::mem::replace(&mut schedule.pushes, true)
         {
             // It is pushed, then.
             schedule.tasks.push_front(Task::Swing { id, open });
@@ -123,8 +125,8 @@ impl Environment {
             let effects = rule::effects(&schedule.action);
             effects.iter().for_each(|effect| drop(rule::carry_out(&mut after, agent, effect)));
         }
-        let (action, care) = (schedule.action, schedule.care.clone());
-        let step = Step { before, after, agent, action, care, claims: self.claims(agent) };
+        let (action, pushes) = (schedule.action, schedule.pushes);
+        let step = Step { before, after, agent, action, pushes, claims: self.claims(agent) };
         Planner::new(&self.world, &mut self.floor, &self.start, &step).plan(task)
     }
 
@@ -136,7 +138,7 @@ impl Environment {
     fn begin_motion(&mut self, agent: NodeId, motion: BodyMotion) -> Going {
         let (now, from) = (self.tick(), self.world.pose(agent).unwrap_or_else(Pose::identity));
         let brings_about = self.clock.running.get(&agent).filter(|s| s.truth.is_none() && s.comes_true_with(&motion));
-        let takes = brings_about.and_then(|s| self.start.time.durations.takes(&self.graph, &s.action));
+        let takes = brings_about.and_then(|s| self.duration(&s.action));
         let (mut phase, mut track, mut until) = (Phase::Out, Track::Still, now + lasts(&motion, takes).0);
         match &motion {
             BodyMotion::ComeToRest => (phase, until) = (Phase::Rests, NEVER),
@@ -184,7 +186,7 @@ impl Environment {
             Some((id, by)) => Interruption::Taken { thing: self.graph.label(id), by: self.graph.label(by) },
             None => Interruption::NoLonger(refusals),
         };
-        Err(self.interrupted(agent, why))
+        Err(self.interrupted(&schedule.action, why))
     }
 
     fn begin_leaf(&mut self, agent: NodeId, drive: Drive) -> Going {
@@ -196,7 +198,7 @@ impl Environment {
         self.heed_passers(agent, &Leaf::new(&self.world, drive.id, &whole, now))?;
         let planned = self.world.parts(drive.id).plan(drive.open, &past);
         let ends = planned.map_err(|e| self.cannot(agent, e.into()))?.filter(|_| !drive.pushes);
-        let Some(ends) = ends else { return self.push(agent, &drive) };
+        let Some(ends) = ends else { return self.push(agent, &drive, false) };
         let leaf = Leaf::new(&self.world, drive.id, &ends, self.after_walkers(agent, drive.id, drive.open));
         if let Some(schedule) = self.clock.running.get_mut(&agent) {
             (schedule.until, schedule.phase, schedule.begin) = (leaf.end(), Phase::Leaf, now);
@@ -205,28 +207,49 @@ impl Environment {
         Ok(())
     }
 
-    /// Motors move what something is in the way of, until they have arrived or given up.
-    fn push(&mut self, agent: NodeId, drive: &Drive) -> Going {
-        for part in 0..self.world.parts(drive.id).all().len() {
+    /// Motors move what something is in the way of, until they have arrived or given up: doors open before what is
+    /// behind them. A part without a motor pushes nothing.
+    fn push(&mut self, agent: NodeId, drive: &Drive, behind: bool) -> Going {
+        let parts = self.world.parts(drive.id).all();
+        let turns = |part: &MovingPart| part.has_motor && part.kind == JointKind::Hinge;
+        let all = behind || drive.open <= 0.0 || !parts.iter().any(turns);
+        for (part, _) in parts.iter().enumerate().filter(|(_, part)| part.has_motor && (all || turns(part))) {
             let driven = self.world.drive(drive.id, part, drive.open);
             driven.map_err(|e| self.cannot(agent, e.into()))?;
         }
         self.clock.stirred = true;
         if let Some(schedule) = self.clock.running.get_mut(&agent) {
-            (schedule.until, schedule.phase, schedule.track) = (NEVER, Phase::Pushes(PUSHING), Track::Still);
+            (schedule.until, schedule.phase, schedule.track) = (NEVER, Phase::Pushes(PUSHING, all), Track::Still);
         }
         Ok(())
+    }
+
+    /// Pushes what is behind doors; it stays where it is if no door has opened.
+    fn push_behind(&mut self, agent: NodeId) -> Going {
+        let drive = match self.clock.running.get(&agent).and_then(|schedule| schedule.motion.as_ref()) {
+            Some(BodyMotion::Drive(drive)) => drive.clone(),
+            _ => return Ok(()),
+        };
+        let parts = self.world.parts(drive.id).all();
+        if parts.iter().any(|part| part.kind == JointKind::Hinge && part.open >= WIDE) {
+            return self.push(agent, &drive, true);
+        }
+        self.perform(agent)
     }
 
     /// Does the motion under way; what follows of it takes its time.
     fn perform(&mut self, agent: NodeId) -> Going {
         let now = self.tick();
         let Some(schedule) = self.clock.running.get_mut(&agent) else { return Ok(()) };
-        let Some(mut motion) = schedule.motion.take() else { return Ok(()) };
-        let pushed = matches!(schedule.phase, Phase::Pushes(_));
+        let Some(motion) = schedule.motion.take() else { return Ok(()) };
+        let pushed = matches!(schedule.phase, Phase::Pushes(..));
         let track = std::mem::replace(&mut schedule.track, Track::Still);
         (schedule.phase, schedule.begin, schedule.until) = (Phase::Back, now, now + lasts(&motion, None).1);
         schedule.done = Some(motion.clone());
+        let settles = matches!(motion, BodyMotion::Rest(..) | BodyMotion::GetUp(_));
+        let settling = if settles { Settling::begin(self, agent) } else { None };
+        let Some(schedule) = self.clock.running.get_mut(&agent) else { return Ok(()) };
+        schedule.settling = settling;
         schedule.picked = match motion {
             BodyMotion::Take(_, id, _) => {
                 self.world.pose(agent).zip(self.world.pose(id)).map(|(feet, at)| feet.inverse() * at)
@@ -243,14 +266,15 @@ impl Environment {
         }
         if !pushed {
             let (world, start, before) = (&mut self.world, &self.start, &self.graph);
-            let done = Bodies { world, start, before, agent }.perform(&mut motion);
+            let done = Bodies { world, start, before, agent }.perform(&motion);
             done.map_err(|why| self.cannot(agent, why))?;
         }
         if let BodyMotion::Fold(id, scale) = motion {
             let mut edit = self.graph.edit();
             // It is there, and its scale is sound.
             let _ = edit.set_scale(id, scale);
-            edit.commit();
+            let folded = edit.commit();
+            self.clock.note(folded);
             self.look_anew();
         }
         if let Track::Way(way) = &track {
@@ -274,7 +298,7 @@ impl Environment {
         let past: Vec<NodeId> = self.walkers(agent).into_iter().chain([agent]).collect();
         let moved = self.world.set_openness(drive.id, drive.open, &past);
         if !moved.map_err(|e| self.cannot(agent, e.into()))? {
-            self.push(agent, &drive)?;
+            self.push(agent, &drive, false)?;
             if let Some(schedule) = self.clock.running.get_mut(&agent) {
                 schedule.motion = Some(BodyMotion::Drive(drive));
             }
@@ -300,26 +324,27 @@ impl Environment {
     /// The action's effects hold from now on.
     pub(super) fn come_true(&mut self, agent: NodeId) {
         let Some(schedule) = self.clock.running.get_mut(&agent).filter(|s| s.truth.is_none()) else { return };
-        let before = self.graph.clone();
-        let effects: Vec<Effect<NodeId>> = rule::effects(&schedule.action);
-        let mut changes = ChangeSet::default();
-        for effect in &effects {
-            // The rule allows the action.
-            changes = changes.then(rule::carry_out(&mut self.graph, agent, effect).unwrap_or_default());
+        let truth = Truth::new(self.graph.clone(), agent, &schedule.action);
+        let changes = truth.changes.clone();
+        self.graph = truth.ruled.clone();
+        schedule.truth = Some(truth);
+        let action = schedule.action;
+        for (_, other) in self.clock.running.iter_mut().filter(|(id, _)| **id != agent) {
+            // It holds for what others are in the middle of, too.
+            other.truth.iter_mut().for_each(|truth| truth.goes_on_with(agent, &action));
         }
         self.clock.changed.extend(changes.changes().iter().filter_map(holder).chain([agent]));
         self.clock.unseen = true;
-        self.clock.touched.extend(changes.nodes());
-        schedule.truth = Some(Truth { before, ruled: self.graph.clone(), changes, met: Vec::new(), steadied: false });
+        self.clock.note(changes);
     }
 
-    pub(super) fn interrupted(&self, agent: NodeId, why: Interruption) -> ActionError {
-        let action = self.clock.running.get(&agent).map(|s| s.action.describe(&self.graph).to_string());
-        ActionError::Interrupted { action: action.unwrap_or_default(), why: Box::new(why) }
+    pub(super) fn interrupted(&self, action: &Action, why: Interruption) -> ActionError {
+        ActionError::Interrupted { action: action.describe(&self.graph).to_string(), why: Box::new(why) }
     }
 
     pub(super) fn interrupt_for(&mut self, agent: NodeId, why: Interruption) {
-        let error = self.interrupted(agent, why);
+        let Some(schedule) = self.clock.running.get(&agent) else { return };
+        let error = self.interrupted(&schedule.action, why);
         self.stop(agent, error);
     }
 
@@ -331,7 +356,7 @@ impl Environment {
             // It stood there before.
             let _ = self.world.teleport(agent, feet);
         }
-        if let (Phase::Pushes(_), Some(BodyMotion::Drive(drive))) = (schedule.phase, &schedule.motion) {
+        if let (Phase::Pushes(..), Some(BodyMotion::Drive(drive))) = (schedule.phase, &schedule.motion) {
             let parts = self.world.parts(drive.id).all();
             // Its motors stop where they are.
             (0..).zip(parts).for_each(|(part, now)| drop(self.world.put_open(drive.id, Some(part), now.open)));
@@ -346,9 +371,18 @@ impl Environment {
             }
             Track::Turn(_) | Track::Still => {}
         }
+        let broken: Vec<NodeId> = schedule.action.things().chain(self.graph.carried_with(agent)).collect();
+        for truth in self.clock.running.values_mut().filter_map(|other| other.truth.as_mut()) {
+            truth.excused.extend(&broken);
+        }
         (self.clock.stirred, self.clock.unseen) = (true, true);
+        self.clock.changed.extend(broken);
         self.clock.changed.push(agent);
-        self.end(agent, schedule.action, Err(error));
+        // Others decide by what they see now; what cannot be told is read when all rests.
+        drop(self.read_moved());
+        // An action whose effects have come true has been done, however its motions end.
+        let done = schedule.truth.is_some() && matches!(error, ActionError::Interrupted { .. });
+        self.end(agent, schedule.action, if done { Ok(()) } else { Err(error) });
     }
 
     /// Doors that were passed are as open as they are by themselves.

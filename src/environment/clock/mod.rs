@@ -3,44 +3,49 @@
 //! An action is a [schedule](schedule) of motions with an event at the end of each. Feet, and doors that hands move,
 //! are [functions of the tick](track) between two events. The world is touched in *live* ticks only: those in which an
 //! action begins, an event is due, or a body is awake. Whether one steps by single ticks or by thousands, the same
-//! live ticks are visited. [`conflict`] is about agents in each other's way, [`rest`] about the end of an action,
-//! [`moment`] about the tick as it is seen, [`processes`] about machines and matter.
+//! live ticks are visited. [`act`] does actions to their end, [`conflict`] is about agents in each other's way, [`rest`] about the end of an action,
+//! [`show`] about the tick as it is seen, [`processes`] about machines and matter.
 
+mod act;
 mod conflict;
 mod ending;
 mod events;
-mod moment;
 mod processes;
 mod rest;
+mod save;
 mod schedule;
+mod show;
 mod track;
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 use vc_graph::clock::{Running, Span, Tick};
 use vc_graph::{Action, ChangeSet, Event, Label, NodeId};
 use vc_physics::{Hand, PhysicsWorld, RestProgress};
 
-use super::{ActionError, Environment};
+use super::{ActionError, Environment, PhysicalRefusal};
 
 pub use ending::{Ending, Interruption};
 pub(super) use processes::TimeSettings;
 use schedule::Schedule;
-pub(super) use track::along;
 
 /// The schedules of all agents, and the changes that are not read yet.
 #[derive(Clone, Default)]
 pub(super) struct Clock {
+    /// The steps that bodies had made by tick zero.
+    zero: u64,
     /// Actions that begin in the next tick.
     given: BTreeMap<NodeId, Action>,
     running: BTreeMap<NodeId, Schedule>,
     /// How long bodies have been coming to rest, and whether an event has disturbed them in this tick.
-    calm: RestProgress,
+    rest: RestProgress,
     stirred: bool,
     /// Nodes that the rule has put elsewhere since relations were read last, and whether bodies have moved since then.
     changed: Vec<NodeId>,
     unseen: bool,
     endings: Vec<Ending>,
+    /// The changes of the graph since the last action that was done.
+    journal: ChangeSet,
     /// The processes that go on; whether they are known but for some nodes, and these nodes.
     processes: Running,
     noticed: bool,
@@ -48,25 +53,26 @@ pub(super) struct Clock {
 }
 
 impl Clock {
-    /// Nobody does anything in a world.
+    /// The clock of a world at tick zero, in which nobody does anything.
     pub(super) fn at(world: &PhysicsWorld) -> Self {
-        Self { processes: Running::new(Tick(world.ticks())), ..Self::default() }
+        Self { zero: world.ticks(), ..Self::default() }
+    }
+
+    /// Takes note of changes of the graph: other processes may go on.
+    fn note(&mut self, changes: ChangeSet) {
+        self.touched.extend(changes.nodes());
+        self.journal = std::mem::take(&mut self.journal).then(changes);
     }
 
     /// Something has changed the scene: other processes may go on.
     pub(super) fn scene_changed(&mut self) {
         self.noticed = false;
     }
-
-    /// As [`scene_changed`](Self::scene_changed), by these changes.
-    pub(super) fn changed_by(&mut self, changes: &ChangeSet) {
-        self.touched.extend(changes.nodes());
-    }
 }
 
 impl Environment {
     /// Gives an agent an action, which begins in the next tick of [`step`](Self::step). An action that it is doing by
-    /// then is interrupted.
+    /// then, or was given before, is interrupted.
     ///
     /// Whether the rule allows the action is asked in that tick; the answer is an [`Ending`].
     ///
@@ -85,7 +91,10 @@ impl Environment {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn give(&mut self, agent: NodeId, action: Action) {
-        self.clock.given.insert(agent, action);
+        if let Some(before) = self.clock.given.insert(agent, action) {
+            let error = self.interrupted(&before, Interruption::Replaced(action));
+            self.end(agent, before, Err(error));
+        }
     }
 
     /// Lets a span of time pass: agents do what they were [given](Self::give), side by side, and bodies move. Returns the
@@ -98,7 +107,18 @@ impl Environment {
     /// Costs what the live ticks cost, in which an action begins, an event is due or a body is awake; the others pass at
     /// once.
     pub fn step(&mut self, span: Span) -> Vec<Ending> {
-        let end = self.tick() + span;
+        self.advance(self.tick() + span);
+        std::mem::take(&mut self.clock.endings)
+    }
+
+    /// Lets time pass until nobody does anything any more, at most a span; returns the actions that have ended.
+    pub fn step_until_idle(&mut self, most: Span) -> Vec<Ending> {
+        self.advance_while(self.tick() + most, Self::is_busy);
+        std::mem::take(&mut self.clock.endings)
+    }
+
+    /// Lets time pass until a tick.
+    fn advance(&mut self, end: Tick) {
         while self.tick() < end {
             match self.next_live().filter(|tick| *tick < end) {
                 Some(tick) => {
@@ -110,22 +130,36 @@ impl Environment {
                 }
             }
         }
-        std::mem::take(&mut self.clock.endings)
     }
 
-    /// Lets time pass until nobody does anything any more, at most a span; returns the actions that have ended.
-    pub fn step_until_idle(&mut self, most: Span) -> Vec<Ending> {
-        let (end, mut endings) = (self.tick() + most, Vec::new());
-        while self.is_busy() && self.tick() < end {
+    /// Lets a tick pass in which something moves; returns the changes that were noted before.
+    pub(super) fn pass_tick(&mut self) -> ChangeSet {
+        let before = std::mem::take(&mut self.clock.journal);
+        self.clock.stirred = true;
+        self.advance(self.tick() + Span(1));
+        before
+    }
+
+    /// Reads what has moved; returns the changes since those that were noted before.
+    pub(super) fn seen_since(&mut self, before: ChangeSet) -> Result<ChangeSet, PhysicalRefusal> {
+        self.clock.unseen = true;
+        self.read_moved()?;
+        let since = self.clock.journal.clone();
+        self.clock.journal = before.then(since.clone());
+        Ok(since)
+    }
+
+    /// Lets time pass while something is the case, at most until a tick.
+    fn advance_while(&mut self, end: Tick, holds: impl Fn(&Self) -> bool) {
+        while holds(self) && self.tick() < end {
             let next = self.next_live().unwrap_or(end).max(self.tick());
-            endings.extend(self.step((next + Span(1)).min(end) - self.tick()));
+            self.advance((next + Span(1)).min(end));
         }
-        endings
     }
 
     /// The tick: the time that has passed since the environment was made, in sixtieths of a second.
     pub fn tick(&self) -> Tick {
-        Tick(self.world.ticks())
+        Tick(self.world.ticks() - self.clock.zero)
     }
 
     /// The action that an agent is doing or is about to begin.
@@ -135,16 +169,22 @@ impl Environment {
 
     /// Ends what an agent is doing, where it is; the ending is among those of the next [`step`](Self::step).
     pub fn interrupt(&mut self, agent: NodeId) {
-        self.clock.given.remove(&agent);
-        if self.clock.running.contains_key(&agent) {
-            self.interrupt_for(agent, Interruption::Cancelled);
+        if let Some(given) = self.clock.given.remove(&agent) {
+            let error = self.interrupted(&given, Interruption::Cancelled);
+            self.end(agent, given, Err(error));
         }
+        self.interrupt_for(agent, Interruption::Cancelled);
     }
 
-    /// The agents that are doing something.
+    /// The agents that are doing something or are about to.
     pub(super) fn busy(&self) -> Vec<Label> {
-        let all: BTreeSet<NodeId> = self.clock.given.keys().chain(self.clock.running.keys()).copied().collect();
-        all.into_iter().map(|agent| self.graph.label(agent)).collect()
+        let busy = self.agents().iter().filter(|agent| self.current_action(**agent).is_some());
+        busy.map(|agent| self.graph.label(*agent)).collect()
+    }
+
+    /// The number of endings that no step has returned yet.
+    pub(super) fn unread_endings(&self) -> usize {
+        self.clock.endings.len()
     }
 
     /// Whether any agent is doing something or is about to.
@@ -174,22 +214,26 @@ impl Environment {
             self.put_feet(&due);
         }
         due.into_iter().for_each(|agent| self.fire(agent));
-        if !given.is_empty() && self.clock.unseen && !self.clock.stirred && self.world.pass(0) {
-            drop(self.read_moved());
+        if !given.is_empty() {
+            self.read_if_still();
         }
         given.into_iter().for_each(|(agent, action)| self.begin_action(agent, action));
         self.step_bodies();
         self.end_what_rests();
+        if self.clock.running.values().all(|schedule| schedule.until != schedule::NEVER) {
+            // Nobody is about to read it.
+            self.read_if_still();
+        }
     }
 
     fn step_bodies(&mut self) {
         if self.clock.stirred {
             // A thing that has lost its support wakes in this step.
             self.world.step();
-            (self.clock.calm, self.clock.stirred, self.clock.unseen) = (RestProgress::default(), false, true);
+            (self.clock.rest, self.clock.stirred, self.clock.unseen) = (RestProgress::default(), false, true);
         } else if !self.world.pass(1) {
             self.clock.unseen = true;
-            if !self.world.step_awake(&mut self.clock.calm) {
+            if !self.world.step_awake(&mut self.clock.rest) {
                 self.world.step();
             }
         }
@@ -216,12 +260,11 @@ impl Environment {
         all
     }
 
-    fn end(&mut self, agent: NodeId, action: Action, outcome: Result<ChangeSet, ActionError>) {
-        if outcome.is_ok() {
+    fn end(&mut self, agent: NodeId, action: Action, outcome: Result<(), ActionError>) {
+        let outcome = outcome.map(|()| {
             self.history.push(Event { agent, action });
-        }
-        // What came before cannot be replayed by single actions.
-        self.undo = super::undo::Undo::default();
+            std::mem::take(&mut self.clock.journal)
+        });
         self.clock.endings.push(Ending { tick: self.tick(), agent, action, outcome });
     }
 }

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use vc_graph::Action;
 use vc_graph::clock::{DayTime, Durations, ProcessTable, Since, Span, Tick};
 
 use crate::environment::Environment;
@@ -47,6 +48,12 @@ impl Environment {
         DayTime::at(self.tick(), self.start.time.begin)
     }
 
+    /// How long an action takes that neither a body's motion nor a process times, by the builder's table: somebody who
+    /// reads a book does so for half an hour.
+    pub fn duration(&self, action: &Action) -> Option<Span> {
+        self.start.time.durations.takes(&self.graph, action)
+    }
+
     /// The tick at which the next process ends, if any goes on.
     pub(super) fn next_process(&mut self) -> Option<Tick> {
         self.notice_processes();
@@ -81,6 +88,7 @@ impl Environment {
     fn pass_in_processes(&mut self, span: Span) {
         let table = &self.start.time.processes;
         // States of things that are there can be entered.
-        let _ = self.clock.processes.pass(table, &mut self.graph, span);
+        let changes = self.clock.processes.pass(table, &mut self.graph, span).unwrap_or_default();
+        self.clock.journal = std::mem::take(&mut self.clock.journal).then(changes);
     }
 }

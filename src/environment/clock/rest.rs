@@ -1,13 +1,15 @@
 //! The ends of actions: what they moved rests, is read, and is compared with the rule.
 
-use vc_graph::{ChangeSet, NodeId};
+use vc_graph::{Action, NodeId, Pose, SceneGraph, State, Verb};
+use vc_physics::BodyRole;
 
 use super::schedule::{NEVER, Phase};
 use super::track::Track;
-use crate::environment::act::{holder, keep_facing, lay_through, unsteady};
-use crate::environment::compare::{Difference, Outcome};
+use crate::environment::compare::{Outcome, unsteady};
 use crate::environment::execute::off_aim;
-use crate::environment::{ActionError, Disagreement, Environment, PhysicalRefusal, astray, observe};
+use crate::environment::motion::BodyMotion;
+use crate::environment::observe::{self, holder, keep_facing, lay_through};
+use crate::environment::{ActionError, Disagreement, Environment, PhysicalRefusal, astray};
 
 impl Environment {
     /// Finds out which actions need not wait for bodies any longer.
@@ -20,7 +22,7 @@ impl Environment {
             let rests = !self.clock.stirred && self.world.rests(&involved);
             let Some(schedule) = self.clock.running.get_mut(&agent) else { continue };
             let over = match &mut schedule.phase {
-                Phase::Pushes(left) => {
+                Phase::Pushes(left, _) => {
                     *left = left.saturating_sub(1);
                     let driven = schedule.action.things().any(|id| self.world.parts(id).is_driven());
                     *left == 0 || !driven
@@ -33,77 +35,128 @@ impl Environment {
         }
     }
 
-    /// Reads what has moved into the graph; returns what may have changed.
-    pub(super) fn read_moved(&mut self) -> Result<ChangeSet, PhysicalRefusal> {
+    /// Reads what has moved into the graph; tells of a thing that has fallen out of the home.
+    pub(super) fn read_moved(&mut self) -> Result<Option<NodeId>, PhysicalRefusal> {
         let changed = std::mem::take(&mut self.clock.changed);
         if changed.is_empty() && !std::mem::take(&mut self.clock.unseen) {
-            return Ok(ChangeSet::default());
+            return Ok(None);
         }
         let (graph, relations) = (&mut self.graph, &mut self.relations);
         let (met, seen) = observe::look_again(graph, &self.start, &self.world, relations, &changed)?;
-        self.clock.changed_by(&seen);
+        let fallen = astray::fell_out(&self.world, &seen);
+        self.clock.note(seen);
+        self.read_doors(&met);
         for truth in self.clock.running.values_mut().filter_map(|schedule| schedule.truth.as_mut()) {
             truth.met.extend(&met);
         }
-        Ok(seen)
+        Ok(fallen)
     }
 
-    /// Ends an action, or puts back bystanders that it has disturbed.
+    /// Reads whether things are open that nobody is about to open or close: a lid may have been left half open, or
+    /// knocked open.
+    fn read_doors(&mut self, met: &[NodeId]) {
+        let about: Vec<NodeId> = self.clock.running.values().flat_map(|schedule| schedule.action.things()).collect();
+        let differs = |id: &NodeId| {
+            let (now, node) = (self.world.parts(*id).state()?, self.graph.node(*id)?);
+            let is_door = node.is(State::Open) || node.is(State::Closed);
+            (is_door && !node.is(now) && !about.contains(id)).then_some((*id, now))
+        };
+        let doors: Vec<(NodeId, State)> = met.iter().filter_map(differs).collect();
+        let mut edit = self.graph.edit();
+        // They are there and have the other state.
+        doors.into_iter().for_each(|(id, state)| drop(edit.enter_state(id, state)));
+        let changes = edit.commit();
+        self.clock.note(changes);
+    }
+
+    /// Reads what has moved, unless something moves still.
+    pub(super) fn read_if_still(&mut self) {
+        if self.clock.unseen && !self.clock.stirred && self.world.pass(0) {
+            // What cannot be told now is read at the end of an action.
+            drop(self.read_moved());
+        }
+    }
+
+    /// Ends an action, or puts back what it has disturbed.
     pub(super) fn finish_in_time(&mut self, agent: NodeId) {
         match self.outcome(agent) {
-            Ok(None) => {}
-            Ok(Some(changes)) => {
+            Ok(false) => {}
+            Ok(true) => {
                 if let Some(schedule) = self.clock.running.remove(&agent) {
-                    self.end(agent, schedule.action, Ok(changes));
+                    self.end(agent, schedule.action, Ok(()));
                 }
             }
             Err(error) => self.stop(agent, error),
         }
     }
 
-    fn outcome(&mut self, agent: NodeId) -> Result<Option<ChangeSet>, ActionError> {
-        let seen = self.read_moved().map_err(|why| self.cannot(agent, why))?;
-        if let Some(id) = astray::fell_out(&self.world, &seen) {
-            return Err(self.cannot(agent, PhysicalRefusal::FallsOut(self.graph.label(id))));
+    /// Whether an action is over; if not, something is being put back.
+    fn outcome(&mut self, agent: NodeId) -> Result<bool, ActionError> {
+        if let Some(id) = self.read_moved().map_err(|why| self.cannot(agent, why))? {
+            let error = self.cannot(agent, PhysicalRefusal::FallsOut(self.graph.label(id)));
+            return if self.puts_back(agent, &[id]) { Ok(false) } else { Err(error) };
         }
-        let Some(schedule) = self.clock.running.get(&agent) else { return Ok(None) };
-        let Some(truth) = schedule.truth.clone() else { return Ok(None) };
-        if let Some(why) = off_aim(&self.world, &self.graph, agent, &schedule.action) {
+        let Some(schedule) = self.clock.running.get(&agent) else { return Ok(false) };
+        let (action, Some(truth)) = (schedule.action, schedule.truth.clone()) else { return Ok(false) };
+        if let Some(why) = off_aim(&self.world, &self.graph, agent, &action) {
             return Err(self.cannot(agent, why));
         }
         let changed: Vec<NodeId> = truth.changes.changes().iter().filter_map(holder).chain([agent]).collect();
         let graph = &mut self.graph;
         let faced = keep_facing(graph, &truth.ruled, agent).then(lay_through(graph, &truth.ruled, &changed));
+        self.clock.note(faced);
         let (before, ruled, observed) = (&truth.before, &truth.ruled, &self.graph);
         let outcome = Outcome { before, ruled, observed, world: &self.world };
-        let mut differences = outcome.differences(agent, &schedule.action, &truth.changes, &truth.met);
+        let mut differences = outcome.differences(agent, &action, &truth.changes, &truth.met);
         // What another action has in hand is for that one to answer for.
         let others = self.owned_by_others(agent);
-        differences.retain(|d| !others.contains(&d.thing.id));
-        if differences.is_empty() {
-            return Ok(Some(truth.changes.then(seen).then(faced)));
+        differences.retain(|d| !others.contains(&d.thing.id) && !truth.excused.contains(&d.thing.id));
+        let astray: Vec<NodeId> = differences.iter().map(|d| d.thing.id).collect();
+        if astray.is_empty() {
+            return Ok(true);
         }
-        if self.puts_back(agent, &differences) {
-            return Ok(None);
+        if self.turns_back(agent, &astray) || self.puts_back(agent, &astray) {
+            return Ok(false);
         }
-        let Some(schedule) = self.clock.running.get(&agent) else { return Ok(None) };
-        let error = Disagreement { action: schedule.action.describe(&self.graph).to_string(), differences };
-        Err(unsteady(error.into(), schedule.balanced))
+        let balanced = self.clock.running.get(&agent).and_then(|schedule| schedule.balanced);
+        let error = Disagreement { action: action.describe(&self.graph).to_string(), differences };
+        Err(unsteady(error.into(), balanced))
+    }
+
+    /// What an action did before it, if nothing has been put back yet.
+    fn before_putting_back(&mut self, agent: NodeId) -> Option<(Action, SceneGraph)> {
+        let schedule = self.clock.running.get_mut(&agent)?;
+        let truth = schedule.truth.as_mut()?;
+        let first = !std::mem::replace(&mut truth.put_back, true);
+        first.then(|| (schedule.action, truth.before.clone()))
+    }
+
+    /// Turns an agent back that has turned to a thing at the edge of its reach, which is out of reach now; returns
+    /// whether it does.
+    fn turns_back(&mut self, agent: NodeId, astray: &[NodeId]) -> bool {
+        let is_here = |was: &Pose| self.world.pose(agent).is_some_and(|now| now.translation == was.translation);
+        let was = self.clock.running.get(&agent).and_then(|s| s.truth.as_ref()?.before.node(agent)?.pose().copied());
+        let Some(was) = was.filter(is_here).filter(|_| astray.iter().all(|id| *id == agent)) else { return false };
+        if self.before_putting_back(agent).is_none() {
+            return false;
+        }
+        let now = self.tick();
+        if let Some(schedule) = self.clock.running.get_mut(&agent) {
+            schedule.motions.push_back(BodyMotion::Turn(was));
+            (schedule.phase, schedule.until) = (Phase::Back, now);
+        }
+        self.go_on(agent);
+        true
     }
 
     /// Puts back bystanders that an action has disturbed, and holds them still: the scene before knows where they were.
     /// Once for each action; returns whether there were any.
-    fn puts_back(&mut self, agent: NodeId, differences: &[Difference]) -> bool {
-        let Some(schedule) = self.clock.running.get_mut(&agent) else { return false };
-        let (action, Some(truth)) = (schedule.action, schedule.truth.as_mut()) else { return false };
-        if std::mem::replace(&mut truth.steadied, true) {
+    fn puts_back(&mut self, agent: NodeId, astray: &[NodeId]) -> bool {
+        let Some((action, before)) = self.before_putting_back(agent) else { return false };
+        if !astray.iter().all(|id| self.is_bystander(*id, agent, &action)) {
             return false;
         }
-        let before = truth.before.clone();
-        if !differences.iter().all(|d| self.is_bystander(d.thing.id, agent, &action)) {
-            return false;
-        }
-        for id in differences.iter().map(|d| d.thing.id) {
+        for &id in astray {
             let was = before.node(id).and_then(|node| node.pose().copied());
             // It is loose and was there.
             let _ = was.map(|was| self.world.place(id, was).and_then(|()| self.world.pin(id, None)));
@@ -114,6 +167,15 @@ impl Environment {
             (schedule.phase, schedule.until) = (Phase::Ends, NEVER);
         }
         true
+    }
+
+    /// Whether a thing is loose and no part of what an action is about: neither one of its things nor
+    /// on or in one, nor with the agent. A thing on one that is only opened or closed has no part in that.
+    fn is_bystander(&self, id: NodeId, agent: NodeId, action: &Action) -> bool {
+        let opens = matches!(action.verb, Verb::Open | Verb::Close);
+        let carried = |about: NodeId| (!opens || about == agent) && self.graph.rests_at(id, about);
+        let of_it = |about: NodeId| id == about || carried(about) || self.graph.rests_at(about, id);
+        self.world.role(id) == Some(BodyRole::Loose) && !action.things().chain([agent]).any(of_it)
     }
 
     /// The agents that are doing something else, what they carry, and what their actions are about.

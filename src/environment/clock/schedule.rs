@@ -2,22 +2,24 @@
 
 use std::collections::VecDeque;
 
+use serde::{Deserialize, Serialize};
 use vc_graph::clock::{Span, Tick};
 use vc_graph::{Action, ChangeSet, Effect, NodeId, Pose, SceneGraph, rule};
 
+use super::show::Settling;
 use super::track::{REACHING, Track};
-use crate::environment::course::{BodyMotion, is_on_foot};
 use crate::environment::execute::Task;
-use crate::environment::step::RetryOptions;
+use crate::environment::motion::BodyMotion;
 
 /// Time in which a body sits down, lies down or gets up.
-const SETTLING: Span = Span(60);
+pub(super) const SETTLING: Span = Span(60);
 
 /// The schedule of an action. It grows by its events: what comes next is planned when a motion has been done.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
 pub(super) struct Schedule {
     pub(super) action: Action,
-    pub(super) care: RetryOptions,
+    /// Whether doors and drawers are pushed all the way.
+    pub(super) pushes: bool,
     pub(super) tasks: VecDeque<Task>,
     /// Planned motions, which follow the current one.
     pub(super) motions: VecDeque<BodyMotion>,
@@ -25,6 +27,9 @@ pub(super) struct Schedule {
     pub(super) motion: Option<BodyMotion>,
     /// The last motion that has been done, from which the hand comes back.
     pub(super) done: Option<BodyMotion>,
+    /// The posture before the last motion, if it has changed that.
+    #[serde(skip)]
+    pub(super) settling: Option<Settling>,
     /// Where the thing was that a hand has taken, against the feet.
     pub(super) picked: Option<Pose>,
     pub(super) phase: Phase,
@@ -33,6 +38,7 @@ pub(super) struct Schedule {
     pub(super) track: Track,
     /// The tick of the next event; [`NEVER`] while it waits for bodies.
     pub(super) until: Tick,
+    #[serde(skip)]
     pub(super) truth: Option<Truth>,
     /// A thing that does not stay where it was put, and is held still.
     pub(super) balanced: Option<NodeId>,
@@ -42,14 +48,14 @@ pub(super) struct Schedule {
 pub(super) const NEVER: Tick = Tick(u64::MAX);
 
 /// How far the motion under way has come.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub(super) enum Phase {
     /// Before its event: feet walk, a hand goes out.
     Out,
     /// A hand moves doors or drawers.
     Leaf,
-    /// A hand pushes them against what is in the way, for at most so many ticks.
-    Pushes(u32),
+    /// A hand pushes them against what is in the way, for at most so many ticks; all of them, or doors first.
+    Pushes(u32, bool),
     /// After its event: the hand comes back, the body settles.
     Back,
     /// Waits until what was moved rests.
@@ -58,7 +64,8 @@ pub(super) enum Phase {
     Ends,
 }
 
-/// An action's effects once they have come true: the scene before and after by the rule.
+/// An action's effects once they have come true: the scene before and after by the rule, with what others have brought
+/// about since.
 #[derive(Debug, Clone)]
 pub(super) struct Truth {
     pub(super) before: SceneGraph,
@@ -66,24 +73,39 @@ pub(super) struct Truth {
     pub(super) changes: ChangeSet,
     /// Nodes whose relations may have changed since.
     pub(super) met: Vec<NodeId>,
-    /// Whether bystanders have been put back already.
-    pub(super) steadied: bool,
+    /// Nodes of which others have made something that no rule says: their actions were broken off.
+    pub(super) excused: Vec<NodeId>,
+    /// Whether what went astray has been put back already.
+    pub(super) put_back: bool,
 }
 
 impl Schedule {
-    pub(super) fn new(action: Action, care: RetryOptions) -> Self {
+    pub(super) fn new(action: Action) -> Self {
         let (motions, motion, phase) = (VecDeque::new(), None, Phase::Back);
         let (begin, track, until) = (Tick::default(), Track::Still, Tick::default());
-        let (tasks, done, picked) = (Task::of(&action), None, None);
-        let (truth, balanced) = (None, None);
-        Self { tasks, action, care, motions, motion, done, picked, phase, begin, track, until, truth, balanced }
+        let (tasks, done, picked, settling) = (Task::of(&action), None, None, None);
+        let (truth, balanced, pushes) = (None, None, false);
+        Self {
+            tasks,
+            action,
+            pushes,
+            motions,
+            motion,
+            done,
+            settling,
+            picked,
+            phase,
+            begin,
+            track,
+            until,
+            truth,
+            balanced,
+        }
     }
 
     /// Whether the action's effects come true with a motion.
     pub(super) fn comes_true_with(&self, motion: &BodyMotion) -> bool {
         let effects = rule::effects(&self.action);
-        let goes =
-            |e: &Effect<_>| matches!(e, Effect::GoTo(_) | Effect::Approach(_) | Effect::Face(_)) || is_on_foot(e);
         match motion {
             BodyMotion::Take(..)
             | BodyMotion::Put(_)
@@ -94,8 +116,30 @@ impl Schedule {
             | BodyMotion::Fill(..)
             | BodyMotion::Gesture(..) => true,
             BodyMotion::GetUp(_) => effects.contains(&Effect::StandUp),
-            BodyMotion::Walk { .. } | BodyMotion::Turn(_) => !effects.is_empty() && effects.iter().all(goes),
+            BodyMotion::Walk { .. } | BodyMotion::Turn(_) => !effects.is_empty() && effects.iter().all(is_on_foot),
             _ => false,
+        }
+    }
+}
+
+impl Truth {
+    /// What the rule makes of a scene by an action that it allows.
+    pub(super) fn new(before: SceneGraph, agent: NodeId, action: &Action) -> Self {
+        let (mut ruled, mut changes) = (before.clone(), ChangeSet::default());
+        for effect in &rule::effects(action) {
+            changes = changes.then(rule::carry_out(&mut ruled, agent, effect).unwrap_or_default());
+        }
+        let (met, excused) = (Vec::new(), Vec::new());
+        Self { before, ruled, changes, met, excused, put_back: false }
+    }
+
+    /// Takes up what somebody else has brought about meanwhile.
+    pub(super) fn goes_on_with(&mut self, other: NodeId, action: &Action) {
+        for effect in &rule::effects(action) {
+            for graph in [&mut self.before, &mut self.ruled] {
+                // The rule has allowed it in a scene that may differ; bodies say what came of it.
+                drop(rule::carry_out(graph, other, effect));
+            }
         }
     }
 }
@@ -122,4 +166,10 @@ fn by_hand(motion: &BodyMotion) -> (Span, Span) {
         BodyMotion::Gesture(_, seconds) => (Span::from_seconds(f64::from(*seconds)), Span(0)),
         _ => (Span(0), Span(0)),
     }
+}
+
+/// Whether an effect is that an agent is somewhere, or turned somewhere.
+fn is_on_foot(effect: &Effect<NodeId>) -> bool {
+    use Effect::{Approach, Face, GoTo, GoToPoint, StandAs, TurnAs};
+    matches!(effect, GoTo(_) | Approach(_) | Face(_) | GoToPoint(_) | StandAs(_) | TurnAs(_))
 }

@@ -1,6 +1,7 @@
 //! Motions as pure functions of the tick.
 
 use nalgebra::{Point2, Translation3, Vector2};
+use serde::{Deserialize, Serialize};
 use vc_graph::asset::JointKind;
 use vc_graph::clock::{Span, TICKS_PER_SECOND, Tick};
 use vc_graph::{NodeId, Pose, Relation, SceneGraph};
@@ -9,7 +10,7 @@ use vc_physics::PhysicsWorld;
 use crate::environment::execute::towards;
 
 /// Ticks in a second.
-const RATE: f32 = TICKS_PER_SECOND as f32;
+pub(super) const RATE: f32 = TICKS_PER_SECOND as f32;
 /// Ticks in which a hand goes out, and in which it comes back.
 pub(super) const REACHING: Span = Span(33);
 /// Ticks in which a door or a drawer goes all its way, and in which one does that is opened in passing.
@@ -25,7 +26,7 @@ const IN_DOOR: f32 = 0.9;
 const FINE: f32 = 0.1;
 
 /// The motion of a body between two events.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(super) enum Track {
     /// Feet follow a path.
     Way(Way),
@@ -49,7 +50,7 @@ impl Track {
 }
 
 /// A turn on the spot.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(super) struct Turn {
     pub(super) from: Pose,
     pub(super) to: Pose,
@@ -71,7 +72,7 @@ impl Turn {
 }
 
 /// A walk along points, then a turn on the spot.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(super) struct Way {
     pub(super) points: Vec<Point2<f32>>,
     pub(super) begin: Tick,
@@ -83,7 +84,7 @@ pub(super) struct Way {
 }
 
 /// A door that a walker opens and shuts in passing.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(super) struct Passage {
     pub(super) door: NodeId,
     /// How open it is by itself.
@@ -173,7 +174,7 @@ impl Passage {
 }
 
 /// Doors, lids and drawers that a hand moves: doors open before drawers and shut after them.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(super) struct Leaf {
     pub(super) id: NodeId,
     pub(super) begin: Tick,
@@ -181,7 +182,7 @@ pub(super) struct Leaf {
     parts: Vec<LeafPart>,
 }
 
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 struct LeafPart {
     part: usize,
     from: f32,
@@ -226,7 +227,7 @@ impl Leaf {
 }
 
 /// The position and direction after a distance in metres along a path; `None` beyond its end.
-pub(in crate::environment) fn along(points: &[Point2<f32>], mut way: f32) -> Option<(Point2<f32>, Vector2<f32>)> {
+fn along(points: &[Point2<f32>], mut way: f32) -> Option<(Point2<f32>, Vector2<f32>)> {
     for pair in points.windows(2) {
         let step = pair[1] - pair[0];
         let length = step.norm();

@@ -8,7 +8,7 @@ use vc_physics::{AgentError, PhysicsWorld, Posture, SpotFault, SpotSearch, SpotW
 use super::planner::{Plan, Planner, Planning};
 use super::stand::APART;
 use super::towards;
-use crate::environment::course::{BodyMotion, Put};
+use crate::environment::motion::{BodyMotion, Put};
 use crate::environment::{PhysicalRefusal, SpotRefusal};
 
 /// How far beside the free floor somebody may stand who just fits there, metres.

@@ -6,10 +6,10 @@ use vc_physics::BodyRole;
 use super::planner::{Plan, Planner, Planning};
 use super::task::Task;
 use crate::environment::PhysicalRefusal;
-use crate::environment::course::{BodyMotion, Drive};
+use crate::environment::motion::{BodyMotion, Drive};
 
 /// The smallest share of its range that a door has to open.
-pub(super) const WIDE: f32 = 0.35;
+pub(in crate::environment) const WIDE: f32 = 0.35;
 /// The farthest that a loose thing may shift while it is opened, metres.
 const SHIFT: f32 = 0.1;
 
@@ -30,7 +30,7 @@ impl Planner<'_> {
     }
 
     pub(super) fn swing(&self, id: NodeId, open: f32) -> Plan {
-        Plan::from(drive(id, open, self.care.pushes)).then(Task::CheckOpen { id, open, before: self.world.pose(id) })
+        Plan::from(drive(id, open, self.pushes)).then(Task::CheckOpen { id, open, before: self.world.pose(id) })
     }
 
     /// Whether the parts have arrived, and the thing has kept its balance.
@@ -66,5 +66,5 @@ impl Planner<'_> {
 }
 
 fn drive(id: NodeId, open: f32, pushes: bool) -> BodyMotion {
-    BodyMotion::Drive(Drive { id, open, pushes, end: Vec::new() })
+    BodyMotion::Drive(Drive { id, open, pushes })
 }

@@ -1,18 +1,13 @@
 //! Motions done at once by the bodies of a world.
 
-use vc_graph::asset::JointKind;
 use vc_graph::{NodeId, Pose, SceneGraph};
-use vc_physics::{BodyRole, MovingPart, PhysicsWorld, Posture};
+use vc_physics::{BodyRole, PhysicsWorld};
 
 use super::load_of;
-use super::open::WIDE;
 use super::spot::{AWAY, scaled};
-use crate::environment::course::{BodyMotion, Drive, Put};
+use crate::environment::motion::{BodyMotion, Put};
 use crate::environment::settle::come_to_rest;
 use crate::environment::{PhysicalRefusal, Start};
-
-/// Number of steps after which a moving door counts as stuck.
-const DRIVING: u32 = 300;
 
 type Done = Result<(), PhysicalRefusal>;
 
@@ -26,8 +21,8 @@ pub(in crate::environment) struct Bodies<'a> {
 }
 
 impl Bodies<'_> {
-    /// Does a motion. What is known of it only by then is written into it: how far a door has opened.
-    pub(in crate::environment) fn perform(&mut self, motion: &mut BodyMotion) -> Done {
+    /// Does a motion.
+    pub(in crate::environment) fn perform(&mut self, motion: &BodyMotion) -> Done {
         let agent = self.agent;
         match motion {
             BodyMotion::Walk { feet, .. } | BodyMotion::GetUp(feet) => self.world.teleport(agent, *feet)?,
@@ -39,8 +34,6 @@ impl Bodies<'_> {
                     None => self.world.grab_with_load(agent, *hand, *id, &load)?,
                 }
             }
-            // The things are loose, so they can be pinned.
-            BodyMotion::Steady(things) => things.iter().for_each(|id| drop(self.world.pin(*id, None))),
             BodyMotion::Fold(id, scale) => {
                 let graph = scaled(self.before, *id, *scale)?;
                 self.world.reshape(&graph, *id, &self.start.shapes)?;
@@ -59,7 +52,8 @@ impl Bodies<'_> {
             BodyMotion::ClearAway(id, around) => self.clear_away(*id, around)?,
             BodyMotion::PutBack(poses) => self.world.rest_at(poses)?,
             BodyMotion::LetGo(hand) => self.world.drop(agent, *hand).map(|_| ())?,
-            BodyMotion::Drive(drive) => self.drive(drive)?,
+            // Nothing is in the way of what a hand holds; the clock moves other doors.
+            BodyMotion::Drive(drive) => self.world.put_open(drive.id, None, drive.open)?,
             BodyMotion::Rest(id, false, Some(seat)) => self.world.sit(agent, *id, Some(*seat))?,
             BodyMotion::Rest(id, true, _) => self.world.lie(agent, *id)?,
             BodyMotion::Rest(id, false, None) => self.world.sit(agent, *id, None)?,
@@ -101,51 +95,5 @@ impl Bodies<'_> {
         let all = around.iter().map(|(id, _)| *id).chain([id]);
         let pinned: Vec<NodeId> = all.filter(|id| self.world.role(*id) == Some(BodyRole::Hung)).collect();
         Ok(pinned.into_iter().try_for_each(|id| self.world.wake(id))?)
-    }
-
-    fn drive(&mut self, drive: &mut Drive) -> Done {
-        let Drive { id, open, .. } = *drive;
-        if self.before.rests_at(id, self.agent) {
-            // Nothing is in the way of what a hand holds.
-            self.world.put_open(id, None, open)?;
-        } else {
-            // A standing agent gives way to a part that swings past it.
-            let stands = self.world.posture(self.agent) == Some(Posture::Standing);
-            let past = if stands { std::slice::from_ref(&self.agent) } else { &[] };
-            drive.pushes = drive.pushes || !self.world.set_openness(id, open, past)?;
-            if drive.pushes {
-                self.push_open(id, open)?;
-            }
-        }
-        drive.end = self.world.parts(id).all().iter().map(|part| part.open).collect();
-        Ok(())
-    }
-
-    /// Opens or closes a thing against obstacles, which may be pushed aside. A part without a motor pushes
-    /// nothing. Drawers behind doors stay where they are if no door opens.
-    fn push_open(&mut self, id: NodeId, open: f32) -> Done {
-        let turns = |part: &MovingPart| part.kind == JointKind::Hinge;
-        if open > 0.0 {
-            self.push_parts(id, open, turns)?;
-            let parts = self.world.parts(id).all();
-            if parts.iter().any(turns) && !parts.iter().any(|p| turns(p) && p.open >= WIDE) {
-                return Ok(());
-            }
-        }
-        self.push_parts(id, open, |_| true)
-    }
-
-    fn push_parts(&mut self, id: NodeId, open: f32, which: impl Fn(&MovingPart) -> bool) -> Done {
-        let parts = self.world.parts(id).all();
-        for (part, _) in parts.iter().enumerate().filter(|(_, p)| p.has_motor && which(p)) {
-            self.world.drive(id, part, open)?;
-        }
-        for _ in 0..DRIVING {
-            self.world.step();
-            if !self.world.parts(id).is_driven() {
-                break;
-            }
-        }
-        Ok(())
     }
 }

@@ -4,9 +4,9 @@ use nalgebra::{Point2, Vector3};
 use vc_graph::{Action, NodeId, Pose, SceneGraph};
 use vc_physics::{BodyPlan, Floor, PhysicsWorld, Posture};
 
+use super::step::Step;
 use super::task::Task;
-use crate::environment::course::BodyMotion;
-use crate::environment::step::{RetryOptions, Step};
+use crate::environment::motion::BodyMotion;
 use crate::environment::{PhysicalRefusal, Start};
 
 /// The planner of an agent's motions. It reads the world, which stays as it is.
@@ -20,7 +20,8 @@ pub(in crate::environment) struct Planner<'a> {
     pub(super) after: &'a SceneGraph,
     pub(super) agent: NodeId,
     pub(super) action: &'a Action,
-    pub(super) care: &'a RetryOptions,
+    /// Whether doors and drawers are pushed all the way.
+    pub(super) pushes: bool,
     /// The spots where others are going to stand.
     pub(super) claims: &'a [Point2<f32>],
     /// Whether open doors and drawers count as out of the way.
@@ -67,14 +68,14 @@ impl<'a> Planner<'a> {
         start: &'a Start,
         step: &'a Step,
     ) -> Self {
-        let Step { before, after, agent, action, care, claims } = step;
-        Self { world, floor, start, before, after, agent: *agent, action, care, claims, nudges: false }
+        let Step { before, after, agent, action, pushes, claims } = step;
+        Self { world, floor, start, before, after, agent: *agent, action, pushes: *pushes, claims, nudges: false }
     }
 
     /// The same planner in another world: with some things elsewhere, say.
     pub(super) fn in_world<'b>(&'b mut self, world: &'b PhysicsWorld) -> Planner<'b> {
-        let Planner { start, before, after, agent, action, care, claims, nudges, .. } = *self;
-        Planner { world, floor: self.floor, start, before, after, agent, action, care, claims, nudges }
+        let Planner { start, before, after, agent, action, pushes, claims, nudges, .. } = *self;
+        Planner { world, floor: self.floor, start, before, after, agent, action, pushes, claims, nudges }
     }
 
     /// Whether the agent holds or wears a thing, or a thing on which it rests.

@@ -9,7 +9,7 @@ use super::planner::{Plan, Planner, Planning};
 use super::spot::{AHEAD, FreeSpot};
 use super::task::Task;
 use crate::environment::PhysicalRefusal;
-use crate::environment::course::{BodyMotion, Put};
+use crate::environment::motion::{BodyMotion, Put};
 
 impl Planner<'_> {
     /// The hand in which a graph has a thing.

@@ -6,8 +6,9 @@ use vc_physics::AgentError;
 
 use super::planner::{Plan, Planner, Planning};
 use super::task::Task;
+use super::task::gesture;
 use crate::environment::PhysicalRefusal;
-use crate::environment::course::BodyMotion;
+use crate::environment::motion::BodyMotion;
 
 /// The fill level of a vessel that has been filled.
 pub(super) const FULL: f32 = 0.8;
@@ -63,7 +64,7 @@ impl Planner<'_> {
         }
         let emptied = self.after.node(id).is_some_and(|n| n.contents().is_none());
         let empties = if emptied { self.level(id, 0.0) } else { None };
-        Ok(Plan::of(empties.into_iter().chain(self.level(into, FULL))))
+        Ok(Plan::of([gesture(self.action)].into_iter().chain(empties).chain(self.level(into, FULL))))
     }
 
     /// Sets the fill level of a vessel if its shape says that it holds liquids.

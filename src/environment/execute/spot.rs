@@ -6,7 +6,7 @@ use vc_physics::{BodyRole, Packing, PhysicsWorld, SpotOrder, SpotSearch};
 
 use super::planner::Planner;
 use crate::environment::PhysicalRefusal;
-use crate::environment::course::BodyMotion;
+use crate::environment::motion::BodyMotion;
 
 /// How far ahead of the body a hand puts things down, metres.
 pub(super) const AHEAD: f32 = 0.45;

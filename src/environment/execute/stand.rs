@@ -8,7 +8,7 @@ use vc_physics::{PhysicsWorld, ShutDoors, StandingPose};
 use super::planner::{Plan, Planner, Planning};
 use super::towards;
 use crate::environment::PhysicalRefusal;
-use crate::environment::course::BodyMotion;
+use crate::environment::motion::BodyMotion;
 use crate::environment::outlook;
 
 /// Free floor that agents keep from each other, metres.

@@ -1,13 +1,13 @@
 //! Seeing to it that what was put down stays there.
 
+use serde::{Deserialize, Serialize};
 use vc_graph::{NodeId, Place, Pose, Relation};
 use vc_physics::{BodyRole, SpotOrder};
 
 use super::planner::{Plan, Planner, Planning};
 use super::spot::{AWAY, FreeSpot};
 use super::task::Task;
-use crate::environment::PhysicalRefusal;
-use crate::environment::course::BodyMotion;
+use crate::environment::motion::BodyMotion;
 
 /// How far others may be pushed aside by what is put down beside them, metres.
 const ASIDE: f32 = 0.15;
@@ -19,7 +19,7 @@ const ROLLED: f32 = 0.04;
 /// If they come to rest elsewhere, it is put in the middle instead, or in a container where there is room once the
 /// others are pushed together; and if that does not help, it is balanced where it was put. In a container the others are
 /// pushed together for what has tipped over, too.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(in crate::environment) struct Steadying {
     id: NodeId,
     place: Place,
@@ -32,7 +32,7 @@ pub(in crate::environment) struct Steadying {
 }
 
 /// How far the attempts have come. Out of a hand, a thing is out of the way before each next one.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 enum Stage {
     First,
     InTheMiddle,
@@ -44,7 +44,7 @@ enum Stage {
 }
 
 /// The poses before others were pushed together. They return to them if that does not help.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 struct Former {
     poses: Vec<(NodeId, Pose)>,
     /// Whether the thing itself is among them: it had come to rest, but tipped over.
@@ -59,15 +59,23 @@ impl Planner<'_> {
         Plan::of([put, BodyMotion::ComeToRest]).then(Task::Steady(steadying))
     }
 
-    pub(super) fn steady(&mut self, of: Steadying) -> Planning {
+    pub(super) fn steady(&mut self, mut of: Steadying) -> Planning {
+        if !self.is_movable(of.id) {
+            // Somebody has taken it meanwhile.
+            return Ok(Plan::default());
+        }
+        of.around.retain(|(id, _)| self.is_movable(*id));
+        if let Stage::OthersPushed(_, former) | Stage::PutBesideOthers(former) = &mut of.stage {
+            former.poses.retain(|(id, _)| self.is_movable(*id));
+        }
         let inside = of.place.relation == Relation::Inside;
         match of.stage {
             Stage::First if !self.rests(&of) => Ok(clear_away(of, Stage::InTheMiddle)),
-            Stage::First if inside && self.has_tipped(&of) => Ok(self.beside_others(&of, true)?.unwrap_or_default()),
-            Stage::InTheMiddle => self.in_the_middle(of),
+            Stage::First if inside && self.has_tipped(&of) => Ok(self.beside_others(&of, true).unwrap_or_default()),
+            Stage::InTheMiddle => Ok(self.in_the_middle(of)),
             Stage::PutInTheMiddle if !self.rests(&of) => Ok(clear_away(of, Stage::BesideOthers)),
             Stage::BesideOthers => {
-                let plan = if inside { self.beside_others(&of, false)? } else { None };
+                let plan = if inside { self.beside_others(&of, false) } else { None };
                 Ok(plan.unwrap_or_else(|| Plan::of([balance(&of)])))
             }
             Stage::OthersPushed(now, former) => {
@@ -82,23 +90,25 @@ impl Planner<'_> {
         }
     }
 
-    fn in_the_middle(&self, of: Steadying) -> Planning {
-        let middle = self.spot_in_order(of.id, of.place, SpotOrder::Middle)?;
-        Ok(match middle {
-            Some(now) => put_again(Steadying { now, stage: Stage::PutInTheMiddle, ..of }),
-            None => Task::Steady(Steadying { stage: Stage::BesideOthers, ..of }).into(),
-        })
+    /// A thing that is out of the way has to be put somewhere, so that what cannot be asked counts as no room.
+    fn in_the_middle(&self, of: Steadying) -> Plan {
+        match self.spot_in_order(of.id, of.place, SpotOrder::Middle) {
+            Ok(Some(now)) => put_again(Steadying { now, stage: Stage::PutInTheMiddle, ..of }),
+            Ok(None) | Err(_) => Task::Steady(Steadying { stage: Stage::BesideOthers, ..of }).into(),
+        }
     }
 
     /// Pushes the others together, if there is room for the thing then.
-    fn beside_others(&mut self, of: &Steadying, tipped: bool) -> Result<Option<Plan>, PhysicalRefusal> {
+    fn beside_others(&mut self, of: &Steadying, tipped: bool) -> Option<Plan> {
         let mut without = self.world.clone();
-        without.place(of.id, Pose::translation(0.0, 0.0, AWAY))?;
-        let room = self.in_world(&without).make_room(of.id, of.place)?;
-        Ok(room.map(|FreeSpot { spot, first }| {
-            let stage = Stage::OthersPushed(spot, Former { poses: self.poses(of, tipped), tipped });
-            Plan::of(first).then(Task::Steady(Steadying { stage, ..of.clone() }))
-        }))
+        without.place(of.id, Pose::translation(0.0, 0.0, AWAY)).ok()?;
+        let FreeSpot { spot, first } = self.in_world(&without).make_room(of.id, of.place).ok()??;
+        let stage = Stage::OthersPushed(spot, Former { poses: self.poses(of, tipped), tipped });
+        Some(Plan::of(first).then(Task::Steady(Steadying { stage, ..of.clone() })))
+    }
+
+    fn is_movable(&self, id: NodeId) -> bool {
+        matches!(self.world.role(id), Some(BodyRole::Loose | BodyRole::Hung))
     }
 
     /// Whether a thing that was put to a spot stays at its place, on top of things about at the
@@ -130,8 +140,8 @@ impl Planner<'_> {
 
     /// Where the movable things at the place are, and the thing itself.
     fn poses(&self, of: &Steadying, with_it: bool) -> Vec<(NodeId, Pose)> {
-        let movable = |id: &NodeId| matches!(self.world.role(*id), Some(BodyRole::Loose | BodyRole::Hung));
-        let there = self.before.carried_with(of.place.at).into_iter().filter(|id| *id != of.place.at && movable(id));
+        let there = self.before.carried_with(of.place.at).into_iter();
+        let there = there.filter(|id| *id != of.place.at && self.is_movable(*id));
         there.chain(with_it.then_some(of.id)).filter_map(|id| Some((id, self.world.pose(id)?))).collect()
     }
 }

@@ -2,28 +2,25 @@
 
 use std::collections::VecDeque;
 
+use serde::{Deserialize, Serialize};
 use vc_graph::{Action, Condition, Effect, NodeId, Place, Pose, Relation, State, Verb, rule};
 
 use super::planner::{Plan, Planner, Planning};
 use super::rest::FULL;
 use super::steady::Steadying;
 use crate::environment::PhysicalRefusal;
-use crate::environment::course::BodyMotion;
+use crate::environment::motion::BodyMotion;
 
 /// Duration of a gesture, seconds.
 const GESTURE: f32 = 1.5;
 
 /// A part of an action. It becomes motions, and further tasks for when those are done, by the world as it is by then.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(in crate::environment) enum Task {
-    /// Holds still what would fall although nobody touches it.
-    HoldStill,
     /// Comes within reach of what the action is about.
     ComeNear(Action),
     /// Brings about an effect of the rule.
     Effect(Effect<NodeId>),
-    /// An effect holds from now on; the motions after this many of the action were made for it.
-    ComesTrue(Effect<NodeId>, usize),
     /// Shows an action of which no body knows more than how it looks.
     Gesture(Action),
     /// Moves the parts of a thing, from where the agent stands.
@@ -52,7 +49,7 @@ impl Task {
     /// The tasks of an action.
     pub(in crate::environment) fn of(action: &Action) -> VecDeque<Self> {
         let effects = rule::effects(action).into_iter().map(Self::Effect);
-        [Self::HoldStill, Self::ComeNear(*action)].into_iter().chain(effects).collect()
+        std::iter::once(Self::ComeNear(*action)).chain(effects).collect()
     }
 }
 
@@ -60,11 +57,9 @@ impl Planner<'_> {
     /// The next motions and tasks for a task.
     pub(in crate::environment) fn plan(&mut self, task: Task) -> Planning {
         match task {
-            Task::HoldStill => Ok(self.hold_still()),
             Task::ComeNear(action) => self.come_near(&action),
             Task::Effect(effect) => self.bring_about(&effect),
-            Task::ComesTrue(..) => Ok(Plan::default()),
-            Task::Gesture(action) => Ok(BodyMotion::Gesture(action, GESTURE).into()),
+            Task::Gesture(action) => Ok(gesture(&action).into()),
             Task::Swing { id, open } => Ok(self.swing(id, open)),
             Task::CheckOpen { id, open, before } => self.check_open(id, open, before),
             Task::CheckBalance { id, before } => self.check_balance(id, &before),
@@ -78,11 +73,6 @@ impl Planner<'_> {
             Task::LetGoAt { id, spot } => self.let_go_at(id, spot),
             Task::RestOn { id, lying } => self.rest_on(id, lying),
         }
-    }
-
-    fn hold_still(&self) -> Plan {
-        let steadied = &self.care.steadied;
-        Plan::of((!steadied.is_empty()).then(|| BodyMotion::Steady(steadied.clone())))
     }
 
     /// Moves the agent within reach of the action's objects if it stands.
@@ -112,9 +102,7 @@ impl Planner<'_> {
         match *effect {
             Effect::Enter(id, State::Open) => self.open(id, 1.0),
             Effect::Enter(id, State::Closed) => self.open(id, 0.0),
-            Effect::Approach(id) if self.before.near(self.agent, id) => {
-                Ok(if self.care.stays { Plan::default() } else { self.face(id) })
-            }
+            Effect::Approach(id) if self.before.near(self.agent, id) => Ok(self.face(id)),
             Effect::GoTo(id) | Effect::Approach(id) => self.go_to(id),
             Effect::GoToPoint(aim) => aim.point().map_or_else(|| Ok(Plan::default()), |point| self.go_to_point(point)),
             Effect::StandAs(aim) => Ok(self.stand_as(&aim)),
@@ -135,7 +123,7 @@ impl Planner<'_> {
             Effect::LieOn(id) => self.come_to_rest_on(id, true),
             Effect::StandUp => self.get_up(),
             Effect::PourInto(id, into) => self.pour(id, into),
-            Effect::FillWithWater(id) => Ok(Plan::of(self.level(id, FULL))),
+            Effect::FillWithWater(id) => Ok(Plan::of([gesture(self.action)].into_iter().chain(self.level(id, FULL)))),
             Effect::PutOnBody(id) => Ok(BodyMotion::Dress(id).into()),
             Effect::Board(_) | Effect::Alight | Effect::DriveTo(..) => Err(PhysicalRefusal::NotModelled(
                 "nobody gets into vehicles here yet: `World::add_vehicle` drives them",
@@ -144,4 +132,9 @@ impl Planner<'_> {
             _ => Ok(Plan::default()),
         }
     }
+}
+
+/// The motion that shows an action.
+pub(super) fn gesture(action: &Action) -> BodyMotion {
+    BodyMotion::Gesture(*action, GESTURE)
 }

@@ -235,7 +235,7 @@ fn room(furniture: &[(&str, Pose)], agents: usize) -> (Environment, Vec<NodeId>)
     scene.add_in(room, Draft::new("floor").bounds(slab).at(Pose::translation(0.0, 0.0, -0.1))).unwrap();
     let put = |(class, pose): &(&str, Pose)| scene.add_in(room, Draft::new(*class).at(*pose)).unwrap();
     let ids = furniture.iter().map(put).collect();
-    (Environment::of(scene.build(), agents).unwrap(), ids)
+    (Environment::from_scene(scene.build(), agents).unwrap(), ids)
 }
 
 /// Seats and beds hold as many agents as the class table says, and no more.

@@ -144,7 +144,7 @@ fn what_has_moved_is_lit_where_it_is() {
                 );
             }
         }
-        let mut fresh = Environment::of(home.graph().clone(), 1).unwrap();
+        let mut fresh = Environment::from_scene(home.graph().clone(), 1).unwrap();
         fresh.set_pictures(*home.pictures());
         let camera = Viewpoint::Free(home.camera(Viewpoint::Room(room), 160, 120).unwrap());
         let [now, begun] = [&home, &fresh].map(|home| home.render(camera, wanted, 160, 120).unwrap());
@@ -285,7 +285,7 @@ fn lamps_burn_with_their_rooms_light_switch() {
     let mut edit = scene.edit();
     lamps.iter().for_each(|lamp| edit.bar(*lamp, Property::Switchable).unwrap());
     edit.commit();
-    let mut home = Environment::of(scene, 1).unwrap();
+    let mut home = Environment::from_scene(scene, 1).unwrap();
     home.set_pictures(PictureOptions { daylight: Daylight::at(23.0), ..PictureOptions::default() });
     let all = home.clone().switch_lamps(true).unwrap();
     let switches = |lamp: &NodeId| home.graph().light_switches(*lamp).collect::<Vec<NodeId>>();

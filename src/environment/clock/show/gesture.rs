@@ -7,7 +7,7 @@ use vc_graph::{Aabb, Action, Anthropometry, NodeId, Pose, Verb};
 use vc_people::{Activity, Reach};
 use vc_physics::Hand;
 
-use super::Player;
+use super::Figure;
 use super::hands::side;
 use crate::environment::Environment;
 
@@ -45,82 +45,78 @@ enum Hold {
     Shown,
 }
 
-impl Player {
-    /// Plays the gesture of an action, such as a hand on the action's object or a cup at the mouth.
-    pub(in crate::environment) fn gesture(&mut self, show: &mut Environment, action: &Action, seconds: f32) -> bool {
+impl Figure {
+    /// Shows the gesture of an action, such as a hand on the action's object or a cup at the mouth.
+    pub(super) fn gesture(&mut self, home: &mut Environment, action: &Action, seconds: f32) {
         // Cups and books come to where the eyes are while the head is upright.
         let upright = matches!(action.verb, Verb::Drink | Verb::Eat | Verb::Read);
-        let gaze = if upright { None } else { show.attended(self.agent, action.things()) };
+        let gaze = if upright { None } else { home.attended(self.agent, action.things()) };
         let doing = Activity { gesture: Some((action.verb, self.time)), gaze, ..Activity::default() };
-        show.poses.insert(self.agent, doing);
+        home.poses.insert(self.agent, doing);
         let ease = EASE * seconds;
         let share = (self.time.min(seconds - self.time) / ease).clamp(0.0, 1.0);
-        if let Some(aim) = self.aim(show, action) {
-            self.follow(show, &aim, share);
+        if let Some(aim) = self.aim(home, action) {
+            self.follow(home, &aim, share);
         }
-        if 2.0 * self.time >= seconds {
-            self.come_true(show);
-        }
-        self.time >= seconds
     }
 
     /// Moves a hand and the thing it holds towards the gesture's target.
-    fn follow(&mut self, show: &mut Environment, aim: &Aim, share: f32) {
-        let feet = self.feet(show);
-        if let Some(grip) = show.world.agent(self.agent).ok().and_then(|agent| agent.grip(aim.hand)) {
-            let rest = *self.handling.rest.get_or_insert(grip);
-            let held = show.world.held(self.agent, aim.hand);
-            let middle = held.and_then(|id| show.world.aabb(id)).map_or(Point3::origin(), |b| b.centre());
+    fn follow(&mut self, home: &mut Environment, aim: &Aim, share: f32) {
+        let feet = self.feet(home);
+        if let Some(grip) = home.world.agent(self.agent).ok().and_then(|agent| agent.grip(aim.hand)) {
+            let rest = *self.rest.get_or_insert(grip);
+            let held = home.world.held(self.agent, aim.hand);
+            let middle = held.and_then(|id| home.world.aabb(id)).map_or(Point3::origin(), |b| b.centre());
             // The middle of the thing in its own frame, computed from the present grip.
             let own = (feet * grip).inverse_transform_point(&middle);
             let turn = match aim.hold {
                 Hold::Tilted(angle) => UnitQuaternion::from_axis_angle(&Vector3::y_axis(), angle) * rest.rotation,
-                Hold::Shown => held.and_then(|id| self.shown(show, id, &rest.rotation)).unwrap_or(rest.rotation),
+                Hold::Shown => held.and_then(|id| self.shown(home, id, &rest.rotation)).unwrap_or(rest.rotation),
             };
             let at = feet.inverse_transform_point(&aim.point).coords - turn * own.coords;
-            self.handling.out = Some(Pose::from_parts(at.into(), turn));
-            self.regrip(show, aim.hand, share);
+            self.out = Some(Pose::from_parts(at.into(), turn));
+            self.regrip(home, aim.hand, share);
         }
-        let held = show.world.held(self.agent, aim.hand).and_then(|id| show.palm_on(self.agent, aim.hand, id));
+        let held = home.world.held(self.agent, aim.hand).and_then(|id| home.palm_on(self.agent, aim.hand, id));
         let (point, out) = held.map_or((aim.point, share), |point| (point, 1.0));
-        if let Some(doing) = show.poses.get_mut(&self.agent) {
+        if let Some(doing) = home.poses.get_mut(&self.agent) {
             let gaze = if aim.looks { share } else { 0.0 };
             doing.reach = Some(Reach { side: side(aim.hand), point, share: out, gaze });
         }
     }
 
     /// The hand that an action moves, and its target.
-    fn aim(&self, show: &Environment, action: &Action) -> Option<Aim> {
+    fn aim(&self, home: &Environment, action: &Action) -> Option<Aim> {
         use Verb::{Cut, Drink, Eat, Fill, PointAt, Pour, Read};
         if let Some(point) = action.aim.point().filter(|_| action.verb == PointAt) {
-            let height = point.height().unwrap_or(self.feet(show).translation.z);
-            let point = self.towards(show, &Point3::new(point.plan().x, point.plan().y, height))?;
-            return Some(Aim { hand: self.free_hand(show), point, hold: Hold::Tilted(0.0), looks: true });
+            let height = point.height().unwrap_or(self.feet(home).translation.z);
+            let point = self.towards(home, &Point3::new(point.plan().x, point.plan().y, height))?;
+            return Some(Aim { hand: self.free_hand(home), point, hold: Hold::Tilted(0.0), looks: true });
         }
         let (x, y) = (action.object?, action.target);
-        let hand = match (self.hand_of(show, x), action.verb) {
+        let hand = match (self.hand_of(home, x), action.verb) {
             (Some(hand), Eat | Drink | Read | Pour | Fill) => hand,
-            _ => self.tool_hand(show, x),
+            _ => self.tool_hand(home, x),
         };
-        let from = self.side(show, hand);
+        let from = self.side(home, hand);
         let box_of =
-            |id: NodeId| std::iter::once(id).chain(show.graph.support_chain(id)).find_map(|id| show.world.aabb(id));
+            |id: NodeId| std::iter::once(id).chain(home.graph.support_chain(id)).find_map(|id| home.world.aabb(id));
         let (swing, chop) = (STROKE.0 * (BEAT * self.time).sine(), STROKE.1 * (BEAT * self.time).sine().abs());
-        let across = self.feet(show).rotation * Vector3::y();
+        let across = self.feet(home).rotation * Vector3::y();
         let level = Hold::Tilted(0.0);
         let (point, hold) = match action.verb {
-            Drink => (self.at_mouth(show, x), Hold::Tilted(TILT.1)),
-            Eat if self.hand_of(show, x).is_some() => (self.at_mouth(show, x), level),
+            Drink => (self.at_mouth(home, x), Hold::Tilted(TILT.1)),
+            Eat if self.hand_of(home, x).is_some() => (self.at_mouth(home, x), level),
             // The hand goes to the plate first, then to the mouth.
             Eat => {
                 let bite = (2.0 * self.time - 1.0).clamp(0.0, 1.0);
                 let plate = box_of(x)?.nearest(&from);
-                (plate + (self.before_eyes(show, MOUTH) - plate) * bite, level)
+                (plate + (self.before_eyes(home, MOUTH) - plate) * bite, level)
             }
-            Read => (self.before_eyes(show, BOOK), Hold::Shown),
+            Read => (self.before_eyes(home, BOOK), Hold::Shown),
             Pour => (above(&box_of(y?)?, ABOVE), Hold::Tilted(TILT.0)),
             Fill => (box_of(y?)?.nearest(&from), level),
-            PointAt => (self.towards(show, &box_of(x)?.centre())?, level),
+            PointAt => (self.towards(home, &box_of(x)?.centre())?, level),
             Cut => (above(&box_of(x)?, 0.02 + chop), level),
             Verb::Wipe
             | Verb::Wash
@@ -140,23 +136,23 @@ impl Player {
     }
 
     /// The place of a hand that points somewhere.
-    fn towards(&self, show: &Environment, to: &Point3<f32>) -> Option<Point3<f32>> {
-        let shoulder = self.feet(show) * Point3::new(0.0, 0.0, 1.35);
+    fn towards(&self, home: &Environment, to: &Point3<f32>) -> Option<Point3<f32>> {
+        let shoulder = self.feet(home) * Point3::new(0.0, 0.0, 1.35);
         Some(shoulder + (to - shoulder).try_normalize(1e-3)? * POINTING)
     }
 
-    fn before_eyes(&self, show: &Environment, offset: Vector3<f32>) -> Point3<f32> {
-        let eyes = show
+    fn before_eyes(&self, home: &Environment, offset: Vector3<f32>) -> Point3<f32> {
+        let eyes = home
             .skeleton(self.agent)
             .map_or_else(|| Pose::translation(0.1, 0.0, Anthropometry::ADULT.view), |s| s.eyes());
         // Heads are taken as upright here, whatever their pose.
-        self.feet(show) * (Point3::from(eyes.translation.vector) + offset)
+        self.feet(home) * (Point3::from(eyes.translation.vector) + offset)
     }
 
     /// The rotation, in the body's frame, that turns a thing's broad side to the eyes and its longest axis
     /// upright, with the smallest possible turn.
-    fn shown(&self, show: &Environment, id: NodeId, now: &UnitQuaternion<f32>) -> Option<UnitQuaternion<f32>> {
-        let half = show.graph.node(id)?.spec().bounds?.half;
+    fn shown(&self, home: &Environment, id: NodeId, now: &UnitQuaternion<f32>) -> Option<UnitQuaternion<f32>> {
+        let half = home.graph.node(id)?.spec().bounds?.half;
         let (thin, long) = (half.imin(), half.imax());
         let along = |axis: usize, way: Vector3<f32>| way * (now * Vector3::ith(axis, 1.0)).dot(&way).signum();
         let to_eyes = (-BOOK).normalize();
@@ -173,20 +169,20 @@ impl Player {
     }
 
     /// The position of a held thing's middle while its upper rim is at the mouth.
-    fn at_mouth(&self, show: &Environment, id: NodeId) -> Point3<f32> {
-        let half = show.world.aabb(id).map_or_else(Vector3::zeros, |b| (b.max - b.min) / 2.0);
-        self.before_eyes(show, MOUTH + Vector3::new(half.x.min(half.y), 0.0, -0.8 * half.z))
+    fn at_mouth(&self, home: &Environment, id: NodeId) -> Point3<f32> {
+        let half = home.world.aabb(id).map_or_else(Vector3::zeros, |b| (b.max - b.min) / 2.0);
+        self.before_eyes(home, MOUTH + Vector3::new(half.x.min(half.y), 0.0, -0.8 * half.z))
     }
 
     /// The hand that holds a thing.
-    fn hand_of(&self, show: &Environment, id: NodeId) -> Option<Hand> {
-        show.world.holder(id).filter(|(holder, _)| *holder == self.agent).map(|(_, hand)| hand)
+    fn hand_of(&self, home: &Environment, id: NodeId) -> Option<Hand> {
+        home.world.holder(id).filter(|(holder, _)| *holder == self.agent).map(|(_, hand)| hand)
     }
 
     /// The hand that holds a tool, which is any other thing than the action's object; or a free hand.
-    fn tool_hand(&self, show: &Environment, thing: NodeId) -> Hand {
-        let other = |hand: &Hand| show.world.held(self.agent, *hand).is_some_and(|held| held != thing);
-        Hand::BOTH.into_iter().find(other).unwrap_or_else(|| self.free_hand(show))
+    fn tool_hand(&self, home: &Environment, thing: NodeId) -> Hand {
+        let other = |hand: &Hand| home.world.held(self.agent, *hand).is_some_and(|held| held != thing);
+        Hand::BOTH.into_iter().find(other).unwrap_or_else(|| self.free_hand(home))
     }
 }
 

@@ -3,7 +3,7 @@
 use nalgebra::Point3;
 use vc_graph::{NodeId, NodeKind, Pose};
 
-use crate::Environment;
+use super::Environment;
 
 /// Farthest distance of a thing that is kept in view, metres, and how far to the side it is at most, as a slope:
 /// whoever turns away, or is steered away, looks ahead again.
