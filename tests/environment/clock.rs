@@ -56,6 +56,44 @@ fn interruption(ending: &Ending) -> Option<&Interruption> {
     }
 }
 
+/// The changes of actions lead from one scene to the next, with all that goes on meanwhile.
+#[test]
+fn changes_lead_from_scene_to_scene() {
+    let mut home = Environment::make("apartment/8", 2).unwrap();
+    let (mut last, mut stream, mut done) = (home.graph().clone(), Seed(5).stream(), 0);
+    for _ in 0..vc_testkit::amount(30, 300) {
+        let agent = *stream.pick(home.agents()).unwrap();
+        let action = legal_action(home.graph(), agent, &mut stream);
+        if let Ok(changes) = home.set_action(agent, action) {
+            changes.apply(&mut last).unwrap();
+            assert!(last == *home.graph(), "after {}", action.describe(home.graph()));
+            done += 1;
+        }
+    }
+    assert!(done > 20, "{done} were done");
+}
+
+/// Nothing is lost when one puts a thing onto a table while the other takes one from it, whenever that is.
+#[test]
+fn two_use_one_table() {
+    let mut home = home(42, 2);
+    let (a, b) = (home.agents()[0], home.agents()[1]);
+    let table = home.graph().of_class("coffee_table")[0];
+    let place = Place { relation: Relation::On, at: table };
+    let (mug, apple) = (home.spawn("mug", place).unwrap(), home.spawn("apple", place).unwrap());
+    act(&mut home, a, Verb::Walk, &[mug]);
+    act(&mut home, a, Verb::Grab, &[mug]);
+    act(&mut home, b, Verb::Walk, &[apple]);
+    for delay in (0..66).step_by(vc_testkit::amount(11, 1)) {
+        let orders = [now(a, Action::place(mug, table)), (Span(delay), b, Action::grab(apple))];
+        let (mut end, endings) = run(&home, &orders, LONG);
+        assert!(end.world().aabb(mug).unwrap().min.z > 0.0, "after {delay} ticks: {endings:?}");
+        for agent in [a, b] {
+            assert_eq!(end.set_action(agent, Action::zero(Verb::Wave)).map(drop), Ok(()), "after {delay} ticks");
+        }
+    }
+}
+
 /// Random legal actions of two agents at once.
 #[test]
 fn how_time_is_divided_changes_nothing() {
