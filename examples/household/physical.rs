@@ -144,13 +144,26 @@ impl World for Told<'_> {
     }
 
     fn step(&mut self, agent: NodeId, action: &Action) -> Result<ChangeSet, WorldError> {
-        let words = format!("{}: {}", self.graph().label(agent), action.describe(self.graph()));
-        let done = self.recorder.step(agent, action);
-        self.bar.inc(1);
-        self.bar.set_message(words.clone());
-        let (number, why) = (self.bar.position(), done.as_ref().err().map(|why| format!("\n     {why}")));
-        self.bar.suspend(|| say!("{number:>3}  {words}{}", why.unwrap_or_default()));
+        self.step_together(&[(agent, *action)]).pop().unwrap_or_else(|| Ok(ChangeSet::default()))
+    }
+
+    fn step_together(&mut self, actions: &[(NodeId, Action)]) -> Vec<Result<ChangeSet, WorldError>> {
+        let words = |(agent, action): &(NodeId, Action)| {
+            format!("{}: {}", self.recorder.graph().label(*agent), action.describe(self.recorder.graph()))
+        };
+        let words: Vec<String> = actions.iter().map(words).collect();
+        let done = self.recorder.step_together(actions);
+        for (words, done) in words.into_iter().zip(&done) {
+            self.bar.inc(1);
+            self.bar.set_message(words.clone());
+            let (number, why) = (self.bar.position(), done.as_ref().err().map(|why| format!("\n     {why}")));
+            self.bar.suspend(|| say!("{number:>3}  {words}{}", why.unwrap_or_default()));
+        }
         done
+    }
+
+    fn has_clock(&self) -> bool {
+        self.recorder.has_clock()
     }
 
     fn reset(&mut self, graph: &SceneGraph) -> Result<(), WorldError> {
@@ -160,9 +173,9 @@ impl World for Told<'_> {
 
 /// Whether trying the actions of a record again from the initial state leads to the same home.
 fn leads_there(mut first: Environment, record: &Recorder) -> bool {
-    for (agent, action) in record.attempts() {
+    for actions in record.attempts() {
         // An action that failed then fails now.
-        let _ = first.set_action(*agent, *action);
+        let _ = first.set_actions(actions);
     }
     first.digest() == record.environment().digest()
 }

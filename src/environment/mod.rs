@@ -297,6 +297,14 @@ impl vc_tasks::World for Environment {
         self.set_action(agent, *action).map_err(vc_tasks::WorldError::from)
     }
 
+    fn step_together(&mut self, actions: &[(NodeId, Action)]) -> Vec<Result<ChangeSet, vc_tasks::WorldError>> {
+        self.set_actions(actions).into_iter().map(|outcome| outcome.map_err(vc_tasks::WorldError::from)).collect()
+    }
+
+    fn has_clock(&self) -> bool {
+        true
+    }
+
     fn reset(&mut self, graph: &SceneGraph) -> Result<(), vc_tasks::WorldError> {
         let report = Environment::reset(self, graph);
         report.map(drop).map_err(vc_tasks::WorldError::failed)

@@ -83,7 +83,7 @@ pub struct Recorder {
     /// The home's time, seconds.
     time: f64,
     actions: Vec<PageAction>,
-    attempts: Vec<(NodeId, Action)>,
+    attempts: Vec<Vec<(NodeId, Action)>>,
     /// The first thing that went wrong with pictures and files.
     failed: Option<RecordError>,
 }
@@ -214,8 +214,9 @@ impl Recorder {
         &self.home
     }
 
-    /// Every action that was tried, whatever came of it: in a home that began alike they lead to the same end.
-    pub fn attempts(&self) -> &[(NodeId, Action)] {
+    /// Every action that was tried, whatever came of it, with those that were tried at the same time: in a home that
+    /// began alike, [`Environment::set_actions`] with each list in turn leads to the same end.
+    pub fn attempts(&self) -> &[Vec<(NodeId, Action)>] {
         &self.attempts
     }
 
@@ -303,6 +304,21 @@ impl Recorder {
         Span(u64::from(film::EVERY).max(long.0 / LOOKS))
     }
 
+    /// Adds an action that has ended to the trajectory and to the page.
+    fn write_action(&mut self, agent: NodeId, words: String, why: Option<String>) {
+        let noted = self.trajectory.step(&self.home, agent, &words, self.time, why.as_deref());
+        self.note(noted);
+        let label = |id| self.home.graph().label(id).to_string();
+        self.actions.push(PageAction {
+            agent: (self.home.agents().len() > 1).then(|| label(agent)),
+            action: words,
+            refused: why,
+            room: self.home.graph().room_of(agent).map(label),
+            seconds: Some(self.time),
+            found: Vec::new(),
+        });
+    }
+
     fn note(&mut self, outcome: Result<(), RecordError>) {
         if self.failed.is_none() {
             self.failed = outcome.err();
@@ -320,11 +336,18 @@ impl World for Recorder {
     }
 
     fn step(&mut self, agent: NodeId, action: &Action) -> Result<ChangeSet, WorldError> {
-        let words = action.describe(self.home.graph()).to_string();
-        self.film.begin_action(&self.home, agent);
-        self.attempts.push((agent, *action));
-        let (begin, every, mut failed) = (self.home.tick(), self.every(action), None);
-        let done = self.home.set_action_in_time(agent, *action, every, |now| {
+        self.step_together(&[(agent, *action)]).pop().unwrap_or_else(|| Ok(ChangeSet::default()))
+    }
+
+    /// The film follows the first agent.
+    fn step_together(&mut self, actions: &[(NodeId, Action)]) -> Vec<Result<ChangeSet, WorldError>> {
+        let words: Vec<String> =
+            actions.iter().map(|(_, action)| action.describe(self.home.graph()).to_string()).collect();
+        actions.iter().rev().for_each(|(agent, _)| self.film.begin_action(&self.home, *agent));
+        self.attempts.push(actions.to_vec());
+        let every = actions.iter().map(|(_, action)| self.every(action)).max().unwrap_or_default();
+        let (begin, mut failed) = (self.home.tick(), None);
+        let outcomes = self.home.set_actions_in_time(actions, every, |now| {
             go_on(&mut self.ways, now);
             if failed.is_none() {
                 failed = self.film.go_on(now, self.dataset.as_mut()).err();
@@ -333,19 +356,14 @@ impl World for Recorder {
         self.note(failed.map_or(Ok(()), Err));
         self.time += (self.home.tick() - begin).seconds();
         go_on(&mut self.ways, &self.home);
-        let why = done.as_ref().err().map(ToString::to_string);
-        let noted = self.trajectory.step(&self.home, agent, &words, self.time, why.as_deref());
-        self.note(noted);
-        let label = |id| self.home.graph().label(id).to_string();
-        self.actions.push(PageAction {
-            agent: (self.home.agents().len() > 1).then(|| label(agent)),
-            action: words,
-            refused: why,
-            room: self.home.graph().room_of(agent).map(label),
-            seconds: Some(self.time),
-            found: Vec::new(),
-        });
-        done.map_err(WorldError::from)
+        for (((agent, _), words), outcome) in actions.iter().zip(words).zip(&outcomes) {
+            self.write_action(*agent, words, outcome.as_ref().err().map(ToString::to_string));
+        }
+        outcomes.into_iter().map(|outcome| outcome.map_err(WorldError::from)).collect()
+    }
+
+    fn has_clock(&self) -> bool {
+        true
     }
 
     /// The record goes on, with a line that says so.

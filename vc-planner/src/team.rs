@@ -1,6 +1,6 @@
 //! Several agents with one goal.
 
-use vc_graph::{Goal, NodeId, SceneGraph, Scope};
+use vc_graph::{Action, Goal, NodeId, SceneGraph, Scope};
 use vc_tasks::{GoalProgress, Outcome, Task, World};
 
 use crate::reason::{explained, hopeless, loss, refusal};
@@ -127,6 +127,7 @@ impl Team {
     }
 
     /// Everybody looks, tells, and acts once; returns how many did something. `reasons` is told why the others did not.
+    /// Where actions take time, all decide before they act side by side; else everybody sees what came of the last action.
     fn round(
         &mut self,
         task: &Task,
@@ -134,33 +135,59 @@ impl Team {
         progress: &mut GoalProgress,
         reasons: &mut Vec<String>,
     ) -> usize {
-        let mut done = 0;
+        let (mut done, mut decided) = (0, Vec::new());
         for index in 0..self.agents.len() {
-            self.observe(world);
-            if self.agents.len() > 1 {
-                let others = (0..self.agents.len()).filter(|&other| other != index);
-                let promised = others.flat_map(|other| self.agents[other].promises().to_vec()).collect();
-                self.agents[index].count_on(promised);
+            match self.decide(index, world) {
+                Decision::Act(action, _) => decided.push((index, action)),
+                Decision::GiveUp(why) => reasons.push(explained(&why, task, world.graph())),
+                Decision::Done => {}
             }
-            let agent = &mut self.agents[index];
-            let action = match agent.decide() {
-                Decision::Act(action, _) => action,
-                Decision::GiveUp(why) => {
-                    reasons.push(explained(&why, task, world.graph()));
-                    continue;
-                }
-                Decision::Done => continue,
-            };
-            let words = action.describe(world.graph()).to_string();
-            match world.step(self.ids[index], &action) {
+            if !world.has_clock() {
+                done += self.act(&std::mem::take(&mut decided), world, progress, reasons);
+            }
+        }
+        done + self.act(&decided, world, progress, reasons)
+    }
+
+    /// An agent looks, hears of what the others see and promise, and decides.
+    fn decide(&mut self, index: usize, world: &dyn World) -> Decision {
+        self.observe(world);
+        if self.agents.len() > 1 {
+            let others = (0..self.agents.len()).filter(|&other| other != index);
+            let promised = others.flat_map(|other| self.agents[other].promises().to_vec()).collect();
+            self.agents[index].count_on(promised);
+        }
+        self.agents[index].decide()
+    }
+
+    /// Lets agents do what they have decided; returns how many did it.
+    fn act(
+        &mut self,
+        decided: &[(usize, Action)],
+        world: &mut dyn World,
+        progress: &mut GoalProgress,
+        reasons: &mut Vec<String>,
+    ) -> usize {
+        if decided.is_empty() {
+            return 0;
+        }
+        let words: Vec<String> = decided.iter().map(|(_, action)| action.describe(world.graph()).to_string()).collect();
+        let actions: Vec<(NodeId, Action)> =
+            decided.iter().map(|(index, action)| (self.ids[*index], *action)).collect();
+        let outcomes = world.step_together(&actions);
+        if outcomes.iter().any(Result::is_ok) {
+            progress.note(world);
+        }
+        let mut done = 0;
+        for (((index, action), words), outcome) in decided.iter().zip(&words).zip(outcomes) {
+            match outcome {
                 Ok(_) => {
-                    progress.note(world);
-                    agent.did(&action);
+                    self.agents[*index].did(action);
                     done += 1;
                 }
                 Err(why) => {
-                    reasons.push(refusal(&words, &why));
-                    agent.refused(&action);
+                    reasons.push(refusal(words, &why));
+                    self.agents[*index].refused(action);
                 }
             }
         }

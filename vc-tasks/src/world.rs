@@ -48,6 +48,17 @@ pub trait World {
     /// if executing it went wrong in the world. After a refusal nothing has changed.
     fn step(&mut self, agent: NodeId, action: &Action) -> Result<ChangeSet, WorldError>;
 
+    /// Executes the actions of several agents, each to its end; the outcomes are in their order. A world with a
+    /// [clock](World::has_clock) does them side by side, others one after the other.
+    fn step_together(&mut self, actions: &[(NodeId, Action)]) -> Vec<Result<ChangeSet, WorldError>> {
+        actions.iter().map(|(agent, action)| self.step(*agent, action)).collect()
+    }
+
+    /// Whether actions take time in this world, so that several agents act at the same time.
+    fn has_clock(&self) -> bool {
+        false
+    }
+
     /// Replaces the world's scene and clears the history.
     ///
     /// A world with bodies lets them come to rest, so that [`World::graph`] may afterwards differ
