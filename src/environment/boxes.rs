@@ -320,6 +320,16 @@ pub(super) fn unmoved_at(graph: &SceneGraph, world: &PhysicsWorld, id: NodeId, m
     (open && !places.is_empty() && places.iter().all(rests)).then_some(places)
 }
 
+/// The places of a thing that is carried on or in another: it moves with that as one, however both are turned.
+pub(super) fn carried_at(graph: &SceneGraph, world: &PhysicsWorld, id: NodeId) -> Option<Vec<Place>> {
+    let is_carried = |id: NodeId| world.role(id) == Some(BodyRole::Carried);
+    if !is_carried(id) || world.holder(id).is_some() {
+        return None;
+    }
+    let with: Vec<Place> = places(graph, id).into_iter().filter(|place| is_carried(place.at)).collect();
+    (!with.is_empty()).then_some(with)
+}
+
 /// The places of a thing that has not moved and is fixed to the building: doors that open before it change nothing.
 pub(super) fn fixed_at(graph: &SceneGraph, world: &PhysicsWorld, id: NodeId, moved: &[NodeId]) -> Option<Vec<Place>> {
     let places = places(graph, id);

@@ -62,7 +62,9 @@ pub(super) fn look_again(
     let all = [moved.as_slice(), changed].concat();
     let met = relations.update_with(graph, &all, evidence(world)).map_err(|e| unreadable(&e))?;
     let kept = |graph: &SceneGraph, id: NodeId| {
-        boxes::still_at(start, graph, world, id).or_else(|| boxes::unmoved_at(graph, world, id, &moved))
+        boxes::still_at(start, graph, world, id)
+            .or_else(|| boxes::unmoved_at(graph, world, id, &moved))
+            .or_else(|| boxes::carried_at(graph, world, id))
     };
     let edges = relations.write_except(graph, &met, kept).map_err(|e| unreadable(&e))?;
     Ok((met, poses.then(edges)))

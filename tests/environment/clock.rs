@@ -73,6 +73,36 @@ fn changes_lead_from_scene_to_scene() {
     assert!(done > 20, "{done} were done");
 }
 
+/// A thing in a pot stays in it while somebody carries the pot, whatever others do meanwhile.
+#[test]
+fn what_is_carried_stays_where_it_is() {
+    let mut home = home(42, 2);
+    let (a, b) = (home.agents()[0], home.agents()[1]);
+    let at = home.graph().of_class("kitchen_cabinet")[0];
+    let place = Place { relation: Relation::On, at };
+    let (pot, potato) = (home.spawn("pot", place).unwrap(), home.spawn("potato", place).unwrap());
+    for action in [
+        Action::walk(pot),
+        Action::open(pot),
+        Action::grab(potato),
+        Action::put_in(potato, pot),
+        Action::close(pot),
+        Action::grab(pot),
+    ] {
+        home.set_action(a, action).unwrap();
+    }
+    home.give(a, Action::walk(home.graph().of_class("dining_table")[0]));
+    while home.current_action(a).is_some() {
+        home.give(b, Action::zero(Verb::Wave));
+        for ending in home.step(Span(97)) {
+            assert!(ending.outcome.is_ok(), "{ending:?}");
+        }
+        for home in [&home, &home.moment()] {
+            assert!(home.graph().rests_at(potato, pot) && home.graph().rests_at(potato, a));
+        }
+    }
+}
+
 /// Nothing is lost when one puts a thing onto a table while the other takes one from it, whenever that is.
 #[test]
 fn two_use_one_table() {

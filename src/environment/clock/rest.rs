@@ -109,7 +109,7 @@ impl Environment {
         let outcome = Outcome { before, ruled, observed, world: &self.world };
         let mut differences = outcome.differences(agent, &action, &truth.changes, &truth.met);
         // What another action has in hand is for that one to answer for.
-        let others = self.owned_by_others(agent);
+        let others = self.owned_by_others(agent, &truth.before);
         differences.retain(|d| !others.contains(&d.thing.id) && !truth.excused.contains(&d.thing.id));
         let astray: Vec<NodeId> = differences.iter().map(|d| d.thing.id).collect();
         if astray.is_empty() {
@@ -179,10 +179,10 @@ impl Environment {
     }
 
     /// The agents that are doing something else, what they carry, and what their actions are about.
-    fn owned_by_others(&self, but: NodeId) -> Vec<NodeId> {
+    fn owned_by_others(&self, but: NodeId, before: &SceneGraph) -> Vec<NodeId> {
         let mut all = Vec::new();
         for (&agent, schedule) in self.clock.running.iter().filter(|(agent, _)| **agent != but) {
-            all.extend(self.graph.carried_with(agent));
+            all.extend(self.graph.carried_with(agent).into_iter().chain(before.carried_with(agent)));
             all.push(agent);
             all.extend(schedule.action.things());
             if let Track::Way(way) = &schedule.track {

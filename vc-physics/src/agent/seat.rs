@@ -9,7 +9,7 @@ use vc_graph::portable::Portable;
 use vc_graph::{NodeId, Pose};
 
 use crate::convert::facing;
-use crate::state::{Motion, Posture, Thing, upright};
+use crate::state::{Agent, Motion, Posture, Thing, upright};
 use crate::world::PhysicsWorld;
 use crate::{AgentError, BodyRole, PhysicsError, convert};
 
@@ -22,6 +22,8 @@ const MOST: u32 = 64;
 /// relative to the largest: cushions lie side by side, and armrests are not seats.
 const STEPPED: f32 = 0.06;
 const ALIKE: f32 = 0.4;
+/// How far beside the middle of a body that lies a seat is free, metres.
+const BROAD: f32 = 0.35;
 /// How far cushions in a row may be beside one another, metres.
 const ALIGNED: f32 = 0.15;
 /// Half the length and width of a level on which a body fits, metres.
@@ -112,7 +114,8 @@ impl PhysicsWorld {
             let own = p.inverse_transform_point(&feet.translation.vector.into()).coords;
             (own.x.abs() - half).max(0.0).hypotenuse(own.y)
         };
-        let taken = |i: u32| self.agents.values().any(|a| a.posture.seat() == Some((on, i)));
+        let lies = matches!(posture(on, 0), Posture::Lying(..));
+        let taken = |i: u32| self.agents.values().any(|a| is_taken(a, on, (i, &places[i as usize], lies)));
         let each = places.iter().enumerate().map(|(i, p)| (far(p), i as u32));
         let mut order: Vec<(f32, u32)> = each.filter(|(_, i)| only.is_none_or(|only| only == *i)).collect();
         order.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -167,6 +170,19 @@ impl PhysicsWorld {
         (body.stood, body.floor) = (upright(&feet), feet.translation.z);
         Ok(())
     }
+}
+
+/// Whether somebody on a thing has one of its places: the same one, or one across which the body lies.
+fn is_taken(by: &Agent, on: NodeId, (index, place, lies): (u32, &Pose, bool)) -> bool {
+    let (bed, seat) = match by.posture {
+        Posture::Sitting(at, number) if at == on && !lies => return number == index,
+        Posture::Lying(at, number) if at == on && lies => return number == index,
+        Posture::Sitting(at, _) if at == on => (place, &by.feet),
+        Posture::Lying(at, _) if at == on => (&by.feet, place),
+        _ => return false,
+    };
+    let own = bed.inverse_transform_point(&seat.translation.vector.into());
+    own.x.abs() < by.plan.height / 2.0 && own.y.abs() < BROAD
 }
 
 /// A level on which people sit or lie side by side, in the asset's frame.

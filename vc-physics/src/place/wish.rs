@@ -104,7 +104,9 @@ impl PhysicsWorld {
         fits(thing.form.extent, shelf, turn, (0.0, way.over))?;
         let all = spots(thing.form.extent, shelf, turn, (0.0, way.over), PITCH, order);
         let rests = |spot: &Pose| shelf.hold != Hold::On || self.is_borne(thing, spot, shelf.id);
-        let free = all.into_iter().filter(|spot| rests(spot) && self.is_clear(thing, spot));
+        // A pan is wider than the burner that bears it.
+        let (borne, other): (Vec<Pose>, Vec<Pose>) = all.into_iter().partition(rests);
+        let free = borne.into_iter().chain(other).filter(|spot| self.is_clear(thing, spot));
         let mut fault = SpotFault::Taken(Vec::new());
         for spot in free {
             if admits(&spot) {

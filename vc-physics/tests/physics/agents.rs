@@ -341,6 +341,23 @@ fn seats_that_are_covered() {
     assert!(position(&world, people[1]).y.abs() < 0.05);
 }
 
+/// Nobody sits where somebody lies, nor lies where somebody sits.
+#[test]
+fn a_body_that_lies_takes_the_seats() {
+    let mut scene = Scene::default();
+    scene.floor(10.0, 0.5);
+    let sofa = sofa(&mut scene);
+    let people: Vec<_> = (0..2).map(|i| scene.agent(at(1.2, -0.5 + 0.6 * i as f32, 0.0))).collect();
+    let mut world = scene.world();
+    world.settle(200);
+    let feet = world.pose(people[0]).unwrap();
+    world.lie(people[0], sofa).unwrap();
+    assert_eq!(world.sit(people[1], sofa, None), Err(AgentError::SeatTaken(sofa)));
+    world.teleport(people[0], feet).unwrap();
+    world.sit(people[1], sofa, None).unwrap();
+    assert_eq!(world.lie(people[0], sofa), Err(AgentError::SeatTaken(sofa)));
+}
+
 /// Nobody walks through a sitting agent.
 #[test]
 fn who_sits_is_in_the_way() {
