@@ -73,6 +73,43 @@ fn changes_lead_from_scene_to_scene() {
     assert!(done > 20, "{done} were done");
 }
 
+/// Whoever walks to a walker goes after them, or hears that they walk away.
+#[test]
+fn walkers_are_followed() {
+    let home = home(42, 2);
+    let (a, b) = (home.agents()[0], home.agents()[1]);
+    for (index, &room) in home.graph().rooms().iter().enumerate() {
+        let orders = [now(a, Action::walk(b)), (Span(30 * index as u64), b, Action::walk(room))];
+        let (end, endings) = run(&home, &orders, LONG);
+        for ending in &endings {
+            let left = matches!(interruption(ending), Some(Interruption::WalksAway(_)));
+            assert!(ending.outcome.is_ok() || left, "{ending:?}");
+        }
+        let there = endings.iter().any(|ending| ending.agent == a && ending.outcome.is_ok());
+        let feet = |agent| end.world().pose(agent).unwrap().translation.vector.xy();
+        assert!(!there || endings[0].agent == a || (feet(a) - feet(b)).norm() < 2.0);
+    }
+}
+
+/// A home in which cloth has just been folded is saved too.
+#[test]
+fn folded_cloth_is_saved() {
+    let mut home = home(24, 1);
+    let (me, duvet) = (home.agents()[0], home.graph().of_class("duvet")[0]);
+    act(&mut home, me, Verb::Walk, &[duvet]);
+    act(&mut home, me, Verb::Grab, &[duvet]);
+    let table = home.graph().of_class("nightstand")[0];
+    home.give(me, Action::place(duvet, table));
+    for _ in 0..12 {
+        home.step(Span(25));
+        let mut again = home.restore(&home.save().unwrap()).unwrap();
+        assert_eq!(again.digest(), home.digest(), "at {}", home.tick());
+        let mut on = home.clone();
+        assert_eq!(again.step_until_idle(LONG).len(), on.step_until_idle(LONG).len());
+        assert_eq!(again.digest(), on.digest(), "at {}", home.tick());
+    }
+}
+
 /// A thing in a pot stays in it while somebody carries the pot, whatever others do meanwhile.
 #[test]
 fn what_is_carried_stays_where_it_is() {

@@ -140,6 +140,12 @@ pub struct ChangeSet {
     pub(crate) changes: Vec<Change>,
 }
 
+impl FromIterator<Change> for ChangeSet {
+    fn from_iter<I: IntoIterator<Item = Change>>(changes: I) -> Self {
+        Self { changes: changes.into_iter().collect() }
+    }
+}
+
 /// An error: a change set was applied to a graph that differs from the one it was made on.
 ///
 /// ```

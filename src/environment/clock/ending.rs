@@ -31,6 +31,9 @@ pub enum Interruption {
         /// The agent that holds it now.
         by: Label,
     },
+    /// The one whom it was about walks on, faster than one can follow.
+    #[error("{0} walks away")]
+    WalksAway(Label),
     /// The door was shut before the walker.
     #[error("{by} moves {door}, which is on the way")]
     Shut {

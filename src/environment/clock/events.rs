@@ -1,7 +1,7 @@
 //! Beginnings of actions, and the events of their motions.
 
 use vc_graph::asset::JointKind;
-use vc_graph::{Action, NodeId, Pose, rule};
+use vc_graph::{Action, Effect, NodeId, Pose, rule};
 use vc_physics::{MovingPart, Posture};
 
 use super::schedule::{NEVER, Phase, Schedule, Truth, lasts};
@@ -13,6 +13,8 @@ use crate::environment::motion::{BodyMotion, Drive};
 use crate::environment::observe::holder;
 use crate::environment::{ActionError, Environment, PhysicalRefusal};
 
+/// How often somebody who walks on is followed.
+const CHASES: u32 = 5;
 /// Ticks after which a door that is pushed counts as stuck.
 const PUSHING: u32 = 300;
 
@@ -280,6 +282,9 @@ impl Environment {
         if let Track::Way(way) = &track {
             self.leave_doors(way);
         }
+        if true_now && self.goes_after(agent)? {
+            return Ok(());
+        }
         if true_now {
             self.come_true(agent);
         }
@@ -291,6 +296,31 @@ impl Environment {
             self.tell_taken(agent, thing);
         }
         if pushed { self.check_opened(agent) } else { Ok(()) }
+    }
+
+    /// Whether an agent has to go on after somebody who has walked on meanwhile.
+    fn goes_after(&mut self, agent: NodeId) -> Result<bool, ActionError> {
+        let Some(schedule) = self.clock.running.get(&agent) else { return Ok(false) };
+        let (action, chases) = (schedule.action, schedule.chases);
+        let goes_to = |effect: Effect<NodeId>| match effect {
+            Effect::GoTo(id) | Effect::Approach(id) => Some(id),
+            _ => None,
+        };
+        let goal = rule::effects(&action).into_iter().find_map(goes_to);
+        let Some(goal) = goal.filter(|id| self.graph.agents().contains(id)) else { return Ok(false) };
+        self.clock.changed.push(agent);
+        // What cannot be told now is read at the end.
+        drop(self.read_moved());
+        if self.graph.near(agent, goal) {
+            return Ok(false);
+        }
+        if chases >= CHASES {
+            return Err(self.interrupted(&action, Interruption::WalksAway(self.graph.label(goal))));
+        }
+        if let Some(schedule) = self.clock.running.get_mut(&agent) {
+            (schedule.tasks, schedule.chases) = (Task::of(&action), chases + 1);
+        }
+        Ok(true)
     }
 
     /// A door is where the hand has moved it; if something has come into its way meanwhile, it is pushed.

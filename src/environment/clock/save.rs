@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use vc_graph::clock::Running;
 use vc_graph::format::native;
 use vc_graph::hash::Digester;
-use vc_graph::{Action, ChangeSet, NodeId};
+use vc_graph::{Action, Change, ChangeSet, NodeId};
 use vc_physics::RestProgress;
 use vc_relations::Evidence;
 
@@ -26,7 +26,7 @@ struct SavedClock {
     stirred: bool,
     changed: Vec<NodeId>,
     unseen: bool,
-    journal: ChangeSet,
+    journal: Vec<Change>,
     processes: Running,
     noticed: bool,
     touched: Vec<NodeId>,
@@ -39,7 +39,7 @@ struct SavedClock {
 struct SavedTruth {
     before: String,
     ruled: String,
-    changes: ChangeSet,
+    changes: Vec<Change>,
     next: u32,
     met: Vec<NodeId>,
     excused: Vec<NodeId>,
@@ -49,9 +49,16 @@ struct SavedTruth {
 impl SavedTruth {
     fn new(truth: &Truth) -> Self {
         let (before, ruled) = (native::write(&truth.before), native::write(&truth.ruled));
-        let (met, excused, changes) = (truth.met.clone(), truth.excused.clone(), truth.changes.clone());
+        let (met, excused, changes) = (truth.met.clone(), truth.excused.clone(), readable(&truth.changes));
         Self { before, ruled, changes, next: truth.before.next_number(), met, excused, put_back: truth.put_back }
     }
+}
+
+/// The changes that can be read back. A folded cloth is another node in the journal, which needs the class table; the
+/// scene has it as it is now.
+fn readable(changes: &ChangeSet) -> Vec<Change> {
+    let is_node = |change: &&Change| matches!(change, Change::Add(_) | Change::Remove(_));
+    changes.changes().iter().filter(|change| !is_node(change)).cloned().collect()
 }
 
 impl Environment {
@@ -67,7 +74,7 @@ impl Environment {
             stirred: clock.stirred,
             changed: clock.changed,
             unseen: clock.unseen,
-            journal: clock.journal,
+            journal: readable(&clock.journal),
             processes: clock.processes,
             noticed: clock.noticed,
             touched: clock.touched,
@@ -84,6 +91,7 @@ impl Environment {
             let SavedTruth { before, ruled, changes, next, met, excused, put_back } = truth;
             let (before, ruled) = (self.read_scene(&before, next)?, self.read_scene(&ruled, next)?);
             if let Some(schedule) = saved.running.get_mut(&agent) {
+                let changes = changes.into_iter().collect();
                 schedule.truth = Some(Truth { before, ruled, changes, met, excused, put_back });
             }
         }
@@ -99,7 +107,7 @@ impl Environment {
             changed: saved.changed,
             unseen: saved.unseen,
             endings: Vec::new(),
-            journal: saved.journal,
+            journal: saved.journal.into_iter().collect(),
             processes: saved.processes,
             noticed: saved.noticed,
             touched: saved.touched,

@@ -40,6 +40,8 @@ pub(super) struct Schedule {
     pub(super) until: Tick,
     #[serde(skip)]
     pub(super) truth: Option<Truth>,
+    /// How often it has gone after somebody who walked on.
+    pub(super) chases: u32,
     /// A thing that does not stay where it was put, and is held still.
     pub(super) balanced: Option<NodeId>,
 }
@@ -73,7 +75,7 @@ pub(super) struct Truth {
     pub(super) changes: ChangeSet,
     /// Nodes whose relations may have changed since.
     pub(super) met: Vec<NodeId>,
-    /// Nodes of which others have made something that no rule says: their actions were broken off.
+    /// Nodes that others have had in hand since: these answer for them.
     pub(super) excused: Vec<NodeId>,
     /// Whether what went astray has been put back already.
     pub(super) put_back: bool,
@@ -84,7 +86,7 @@ impl Schedule {
         let (motions, motion, phase) = (VecDeque::new(), None, Phase::Back);
         let (begin, track, until) = (Tick::default(), Track::Still, Tick::default());
         let (tasks, done, picked, settling) = (Task::of(&action), None, None, None);
-        let (truth, balanced, pushes) = (None, None, false);
+        let (truth, balanced, pushes, chases) = (None, None, false, 0);
         Self {
             tasks,
             action,
@@ -99,6 +101,7 @@ impl Schedule {
             track,
             until,
             truth,
+            chases,
             balanced,
         }
     }
@@ -133,8 +136,9 @@ impl Truth {
         Self { before, ruled, changes, met, excused, put_back: false }
     }
 
-    /// Takes up what somebody else has brought about meanwhile.
+    /// Takes up what somebody else has brought about meanwhile, who answers for what the action is about.
     pub(super) fn goes_on_with(&mut self, other: NodeId, action: &Action) {
+        self.excused.extend(action.things());
         for effect in &rule::effects(action) {
             for graph in [&mut self.before, &mut self.ruled] {
                 // The rule has allowed it in a scene that may differ; bodies say what came of it.
