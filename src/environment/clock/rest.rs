@@ -55,7 +55,14 @@ impl Environment {
     /// Reads whether things are open that nobody is about to open or close: a lid may have been left half open, or
     /// knocked open.
     fn read_doors(&mut self, met: &[NodeId]) {
-        let about: Vec<NodeId> = self.clock.running.values().flat_map(|schedule| schedule.action.things()).collect();
+        let mut about: Vec<NodeId> = Vec::new();
+        for schedule in self.clock.running.values() {
+            about.extend(schedule.action.things());
+            // A door that a walker passes is as it was when the walker has passed.
+            if let Track::Way(way) = &schedule.track {
+                about.extend(way.doors.iter().map(|passage| passage.door));
+            }
+        }
         let differs = |id: &NodeId| {
             let (now, node) = (self.world.parts(*id).state()?, self.graph.node(*id)?);
             let is_door = node.is(State::Open) || node.is(State::Closed);
