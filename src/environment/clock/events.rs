@@ -277,6 +277,7 @@ impl Environment {
             let _ = edit.set_scale(id, scale);
             let folded = edit.commit();
             self.clock.note(folded);
+            self.clock.changed.push(id);
             self.look_anew();
         }
         if let Track::Way(way) = &track {
