@@ -64,7 +64,7 @@ pub(super) struct EnvironmentSettings {
     #[cfg(feature = "render")]
     pub(super) cameras: Vec<crate::NamedCamera>,
     #[cfg(feature = "render")]
-    pub(super) sensors: Vec<crate::sensors::NamedSensor>,
+    pub(super) sensors: Vec<super::sensing::NamedSensor>,
     #[cfg(feature = "render")]
     pub(super) threads: Option<usize>,
 }
@@ -227,9 +227,9 @@ impl EnvironmentBuilder {
         mut self,
         name: impl Into<String>,
         mount: crate::Mount,
-        sensor: impl crate::sensors::Sensor + 'static,
+        sensor: impl super::Sensor + 'static,
     ) -> Self {
-        self.settings.sensors.push(crate::sensors::NamedSensor { name: name.into(), mount, sensor: Arc::new(sensor) });
+        self.settings.sensors.push(super::sensing::NamedSensor { name: name.into(), mount, sensor: Arc::new(sensor) });
         self
     }
 

@@ -22,6 +22,8 @@ mod reset;
 mod save;
 mod scene;
 mod seats;
+#[cfg(feature = "render")]
+mod sensing;
 mod settle;
 mod stale;
 mod steer;
@@ -53,6 +55,8 @@ pub(crate) use pictures::{GLANCE, sight_of};
 pub(crate) use pictures::{Named, Register};
 pub use reset::{Displaced, ResetReport, Unplaced, UnplacedReason};
 pub use scene::Assets;
+#[cfg(feature = "render")]
+pub use sensing::{LidarScan, Reading, Sensor, SensorError, SensorId, SensorView};
 pub use steer::Steering;
 
 /// At which height somebody is in a room, metres.
@@ -111,7 +115,7 @@ pub struct Environment {
     #[cfg(feature = "render")]
     cameras: Arc<pictures::Cameras>,
     #[cfg(feature = "render")]
-    pub(crate) sensors: Arc<Register<crate::sensors::NamedSensor>>,
+    pub(crate) sensors: Arc<Register<sensing::NamedSensor>>,
     #[cfg(feature = "render")]
     pub(crate) threads: threads::Threads,
 }

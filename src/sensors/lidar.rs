@@ -1,12 +1,12 @@
 //! A lidar: rays in rings around the vertical.
 
 use nalgebra::{Point3, Vector3};
+use vc_graph::Stream;
 use vc_graph::portable::Portable;
-use vc_graph::{NodeId, Pose, Stream};
 use vc_render::camera::MAX_SIDE;
-use vc_render::{NOTHING, RayCaster, RenderError, format};
+use vc_render::{NOTHING, RayCaster, RenderError};
 
-use super::{Reading, Sensor, SensorError, SensorView};
+use super::{LidarScan, Reading, Sensor, SensorError, SensorView};
 
 /// A lidar that turns: lines of rays at even angles above the horizon, all around, at one moment. By default sixteen
 /// lines as Velodyne's VLP-16 has them: 15 degrees up and down, 900 columns, up to 100 m, 3 cm of noise.
@@ -47,42 +47,6 @@ impl Default for Lidar {
     fn default() -> Self {
         let elevation = (-15_f32.to_radians(), 15_f32.to_radians());
         Self { lines: 16, columns: 900, elevation, nearest: 0.1, farthest: 100.0, noise: 0.03 }
-    }
-}
-
-/// A lidar's distances: line by line from the lowest, each ray by ray.
-#[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
-pub struct LidarScan {
-    /// Number of lines.
-    pub lines: usize,
-    /// Rays of each line.
-    pub columns: usize,
-    /// Where the lidar was.
-    pub pose: Pose,
-    /// Distance along each ray, metres; infinite where nothing came back.
-    pub distance: Vec<f32>,
-    /// The graph's node; [`NOTHING`] where nothing came back.
-    pub instance: Vec<NodeId>,
-    /// Measured points in the lidar's own frame, metres; infinite where nothing came back.
-    pub points: Vec<[f32; 3]>,
-}
-
-impl LidarScan {
-    /// The measured points in the home with their nodes.
-    pub fn in_home(&self) -> impl Iterator<Item = (Point3<f32>, NodeId)> + '_ {
-        let all = self.points.iter().zip(&self.instance);
-        all.filter(|(_, node)| **node != NOTHING).map(|(point, node)| (self.pose * Point3::from(*point), *node))
-    }
-
-    /// The measured points in the home as a file: [`format::ply`].
-    ///
-    /// # Errors
-    /// As [`format::ply`], of which none occurs here.
-    pub fn ply(&self) -> Result<Vec<u8>, RenderError> {
-        let points: Vec<[f32; 3]> = self.in_home().map(|(point, _)| point.into()).collect();
-        let nodes: Vec<NodeId> = self.in_home().map(|(_, node)| node).collect();
-        format::ply(&points, &nodes)
     }
 }
 

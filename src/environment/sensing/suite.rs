@@ -6,8 +6,7 @@ use std::sync::Arc;
 use vc_graph::Seed;
 
 use super::{Reading, Sensor, SensorError, SensorView};
-use crate::environment::Named;
-use crate::{CameraError, Environment, Mount};
+use crate::environment::{CameraError, Environment, Mount, Named};
 
 /// The number of a sensor of an environment: [`Environment::sensors`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
