@@ -48,7 +48,7 @@ pub(super) enum BodyMotion {
     Gesture(Action, f32),
 }
 
-/// What a hand puts down, and where.
+/// A thing that a hand puts down, and the pose it gets.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub(super) struct Put {
     pub(super) hand: Hand,

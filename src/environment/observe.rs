@@ -9,7 +9,7 @@ use super::{PhysicalRefusal, Start, boxes};
 
 /// Height of worn things above the wearer's feet, metres.
 const WORN: f32 = 0.9;
-/// What is no farther away over the floor is straight above or below: one looks up, metres.
+/// The distance over the floor within which a thing counts as straight above or below: one looks up, metres.
 const ABOVE: f32 = 0.1;
 
 /// Writes the poses of bodies and of worn things into the graph, and returns the nodes whose pose changed.
@@ -90,7 +90,7 @@ pub(super) fn lay_through(observed: &mut SceneGraph, ruled: &SceneGraph, changed
     edit.commit()
 }
 
-/// What is somewhere else by the rule.
+/// The node that a change puts somewhere else.
 pub(super) fn holder(change: &Change) -> Option<NodeId> {
     use Change::{Link, Unlink};
     match change {

@@ -130,7 +130,7 @@ impl Environment {
         Err(unsteady(error.into(), balanced))
     }
 
-    /// What an action did before it, if nothing has been put back yet.
+    /// The action of an agent and the scene before its effects, the first time that something is put back for it.
     fn before_putting_back(&mut self, agent: NodeId) -> Option<(Action, SceneGraph)> {
         let schedule = self.clock.running.get_mut(&agent)?;
         let truth = schedule.truth.as_mut()?;

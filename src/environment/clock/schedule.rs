@@ -126,7 +126,7 @@ impl Schedule {
 }
 
 impl Truth {
-    /// What the rule makes of a scene by an action that it allows.
+    /// The scenes before and after an action that the rule allows, by the rule alone.
     pub(super) fn new(before: SceneGraph, agent: NodeId, action: &Action) -> Self {
         let (mut ruled, mut changes) = (before.clone(), ChangeSet::default());
         for effect in &rule::effects(action) {
