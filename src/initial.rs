@@ -1,8 +1,11 @@
 //! Initial environments in generated homes that suit an activity.
 
+use std::convert::Infallible;
+use std::fmt;
+
 #[cfg(feature = "environment")]
 use vc_graph::{
-    Goal, NodeId, NodeKind, Place, Relation,
+    Goal, Label, NodeId, NodeKind, Place, Relation,
     goal::{Predicate, Term},
 };
 use vc_graph::{SceneGraph, Seed};
@@ -12,9 +15,9 @@ use vc_tasks::initial::{Initial, InitialError, InitialGenerator};
 use vc_tasks::library::Activity;
 use vc_tasks::{World, WorldError};
 
-#[cfg(feature = "environment")]
-use crate::Environment;
 pub use crate::catalogue::Catalogue;
+#[cfg(feature = "environment")]
+use crate::{Environment, NoRoom};
 
 /// An initial environment in a home that was generated for it.
 #[derive(Debug, Clone, PartialEq)]
@@ -83,20 +86,20 @@ pub fn at_home<W: World>(
     generator: &InitialGenerator<'_>,
     open: impl FnMut(SceneGraph) -> Result<W, WorldError>,
 ) -> Result<AtHome<W>, NoHome> {
-    at_home_that(activity, seed, generator, open, |_, _| Ok(()))
+    at_home_that(activity, seed, generator, open, |_, _| Ok::<(), Infallible>(()))
 }
 
-/// As [`at_home`], with a further condition on the home: `suits` returns the reason why a home does not suit.
-/// [`feasible`] is such a condition for environments with bodies.
+/// As [`at_home`], with a further condition on the home: `suits` returns the reason why a home does not suit, which is
+/// reported as [`InitialError::Unconfirmed`]. [`feasible`] is such a condition for environments with bodies.
 ///
 /// # Errors
 /// As [`at_home`].
-pub fn at_home_that<W: World>(
+pub fn at_home_that<W: World, E: fmt::Display>(
     activity: &Activity,
     seed: Seed,
     generator: &InitialGenerator<'_>,
     mut open: impl FnMut(SceneGraph) -> Result<W, WorldError>,
-    mut suits: impl FnMut(&W, &Initial) -> Result<(), String>,
+    mut suits: impl FnMut(&W, &Initial) -> Result<(), E>,
 ) -> Result<AtHome<W>, NoHome> {
     let mut passed_over = Vec::new();
     for index in 0..HOMES {
@@ -105,7 +108,7 @@ pub fn at_home_that<W: World>(
         let bare = world.graph().clone();
         let made = generator.make(activity, &bare, seed, &mut world).and_then(|initial| {
             let tries = initial.tries;
-            let unsuited = |difference| InitialError::Unconfirmed { difference, tries };
+            let unsuited = |why: E| InitialError::Unconfirmed { difference: why.to_string(), tries };
             suits(&world, &initial).map(|()| initial).map_err(unsuited)
         });
         match made {
@@ -117,6 +120,27 @@ pub fn at_home_that<W: World>(
     Err(NoHome::Unsuitable { homes: HOMES, last })
 }
 
+/// The reason why bodies cannot do an activity in a home.
+#[cfg(feature = "environment")]
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum Infeasible {
+    /// A thing that was added for the activity is out of reach.
+    #[error("nobody gets at {0}")]
+    Unreachable(Label),
+    /// Too few things of a class are within reach.
+    #[error("nobody gets at {number} {class}")]
+    TooFew {
+        /// Number of things that the activity needs.
+        number: usize,
+        /// Their class.
+        class: String,
+    },
+    /// A thing has no room where the goal wants it.
+    #[error(transparent)]
+    NoRoom(#[from] NoRoom),
+}
+
 /// Whether bodies can do an activity as far as the places of things tell: the added things and as many things
 /// of each class as the activity needs are reachable, and there is room for the things that are to be put on or
 /// in something.
@@ -124,9 +148,9 @@ pub fn at_home_that<W: World>(
 /// Uses [`Environment::can_get_at`] and [`Environment::has_room`].
 ///
 /// # Errors
-/// The thing that is not reachable, or for which there is no room, in words.
+/// [`Infeasible`] with the thing that is not reachable, or for which there is no room.
 #[cfg(feature = "environment")]
-pub fn feasible(activity: &Activity, home: &Environment, initial: &Initial) -> Result<(), String> {
+pub fn feasible(activity: &Activity, home: &Environment, initial: &Initial) -> Result<(), Infeasible> {
     let (graph, agent) = (home.graph(), initial.agent);
     let gets_at = |id: &NodeId| home.can_get_at(agent, *id);
     let objects = |class: &str| {
@@ -135,19 +159,17 @@ pub fn feasible(activity: &Activity, home: &Environment, initial: &Initial) -> R
     };
     let added = initial.added.iter().map(|a| a.id).filter(|id| *id != agent);
     if let Some(id) = added.into_iter().find(|id| !gets_at(id)) {
-        return Err(format!("nobody gets at {}", graph.label(id)));
+        return Err(Infeasible::Unreachable(graph.label(id)));
     }
     for need in activity.all_needs() {
         let (all, number) = (objects(&need.class), need.number);
         let there = all.iter().filter(|id| gets_at(id)).take(number).count();
         if !all.is_empty() && there < number {
-            return Err(format!("nobody gets at {number} {}", need.class));
+            return Err(Infeasible::TooFew { number, class: need.class.to_string() });
         }
     }
     let wants = wanted(activity, graph, objects);
-    home.has_room(agent, &wants).map_err(|id| {
-        format!("there is no room for {} where it is wanted, or no way from it to there", graph.label(id))
-    })
+    Ok(home.has_room(agent, &wants)?)
 }
 
 /// The things that still have to be put on or in something for an activity's goal, each with its possible

@@ -97,7 +97,7 @@ pub use check::{ContractViolation, Tally, check_environment, legal_action, rando
 #[cfg(feature = "environment")]
 pub use environment::{
     ActionError, AlterError, Assets, Difference, Disagreement, Displaced, Ending, Environment, EnvironmentBuilder,
-    Interruption, MakeError, PhysicalRefusal, ResetError, ResetReport, SaveError, Spot, SpotRefusal, Steering,
+    Interruption, MakeError, NoRoom, PhysicalRefusal, ResetError, ResetReport, SaveError, Spot, SpotRefusal, Steering,
     Unplaced, UnplacedReason,
 };
 #[cfg(all(feature = "environment", feature = "render"))]

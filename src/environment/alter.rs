@@ -169,7 +169,7 @@ impl Environment {
         inserted.map_err(|e| next.impossible(e))?;
         next.set_down(id, place)?;
         observe::write_poses(&mut next.graph, &next.world)?;
-        next.relations.rebuild(&next.graph).map_err(unreadable)?;
+        next.relations.rebuild(&next.graph).map_err(PhysicalRefusal::from)?;
         next.settle(&[id])?;
         next.stays(id, place)?;
         next.look_anew();
@@ -441,8 +441,4 @@ pub(super) fn no_thing(class: &Class) -> Option<&'static str> {
 fn lights(node: &Node) -> bool {
     let lies_about = node.affords(Property::Graspable) && !node.is(State::PluggedIn);
     node.role() == ObjectRole::Light && !lies_about
-}
-
-fn unreadable(error: vc_relations::InputError) -> AlterError {
-    PhysicalRefusal::Unreadable(error.to_string()).into()
 }

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use vc_graph::clock::{DayTime, Durations, ProcessTable, TICKS_PER_SECOND};
-use vc_graph::{ClassTable, SceneGraph};
+use vc_graph::{ClassTable, SceneGraph, State};
 use vc_relations::RelationRule;
 use vc_relations::threshold::SUPPORT_GAP;
 
@@ -17,6 +17,7 @@ use super::{Assets, Environment, MakeError, scene};
 /// | [`agents`](Self::agents) | 1 |
 /// | [`assets`](Self::assets) | [`Assets::Generated`] for a scene by name, [`Assets::None`] for a graph |
 /// | [`classes`](Self::classes) | [`ClassTable::builtin`] |
+/// | [`bodies`](Self::bodies) | yes: bodies do the actions |
 /// | [`physics`](Self::physics), [`gravity`](Self::gravity) | [`vc_physics::Settings::default`]: steps of 1/60 s, 9.81 m/s² |
 /// | [`relations`](Self::relations) | [`RelationRule::Contacts`] |
 /// | [`processes`](Self::processes), [`durations`](Self::durations) | [`ProcessTable::builtin`], [`Durations::builtin`] |
@@ -114,6 +115,26 @@ impl EnvironmentBuilder {
         self
     }
 
+    /// Whether bodies do the actions. Without, the transition rule alone says their outcome, as in a
+    /// [`Simulator`](vc_graph::Simulator), with the clock, its processes and durations: an action takes the time of
+    /// [`durations`](Self::durations), or 1.5 s. Bodies, poses and so pictures stay as they were; relations and states
+    /// change.
+    ///
+    /// ```
+    /// use virtualcity::Environment;
+    /// let mut home = Environment::builder("apartment/42").bodies(false).make()?;
+    /// let (me, fridge) = (home.agents()[0], home.graph().of_class("fridge")[0]);
+    /// let (feet, near) = (home.world().pose(me), home.graph().near(me, fridge));
+    /// home.set_action(me, format!("walk fridge.{}", fridge.0).parse()?)?;
+    /// assert!(!near && home.graph().near(me, fridge));
+    /// assert_eq!(home.world().pose(me), feet);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn bodies(mut self, bodies: bool) -> Self {
+        self.settings.time.bodies = bodies;
+        self
+    }
+
     /// The settings of the bodies: gravity, the fixed things, friction of hinges, latches. A step is a tick of 1/60 s.
     pub fn physics(mut self, settings: vc_physics::Settings) -> Self {
         self.settings.physics = settings;
@@ -133,7 +154,8 @@ impl EnvironmentBuilder {
         self
     }
 
-    /// The processes that machines and matter go through while time passes, and their times.
+    /// The processes that machines and matter go through while time passes, and their times. None may open or close
+    /// things that have bodies.
     pub fn processes(mut self, table: impl Into<Arc<ProcessTable>>) -> Self {
         self.settings.time.processes = table.into();
         self
@@ -253,6 +275,11 @@ impl EnvironmentBuilder {
         let step = self.settings.physics.dt;
         if (step * TICKS_PER_SECOND as f32 - 1.0).abs() > 1e-4 {
             return Err(MakeError::TimeStep(step));
+        }
+        let TimeSettings { bodies, processes, .. } = &self.settings.time;
+        let moves = [State::Open, State::Closed].into_iter().find(|state| processes.brings_about(*state));
+        if let Some(state) = moves.filter(|_| *bodies) {
+            return Err(MakeError::Process(state));
         }
         let graph = match self.source {
             Source::Name(name) => scene::named(&name, &self.settings.classes)?,

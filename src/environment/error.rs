@@ -2,7 +2,7 @@
 
 use vc_graph::asset::AssetError;
 use vc_graph::format::FormatError;
-use vc_graph::{AimPoint, EditError, Label, NodeId, Refusal, SceneGraph, Side};
+use vc_graph::{AimPoint, EditError, Label, NodeId, Refusal, SceneGraph, Side, State};
 use vc_physics::{AgentError, PhysicsError, SnapshotError};
 use vc_procgen::dress::DressError;
 use vc_relations::InputError;
@@ -47,6 +47,11 @@ pub enum MakeError {
     /// Bodies would not keep step with the clock.
     #[error("a step of {0} s: the clock of an environment has ticks of 1/60 s; `PhysicsWorld` alone takes other steps")]
     TimeStep(f32),
+    /// A process opens or closes things, of which their bodies know nothing.
+    #[error(
+        "the table of processes lets things become `{0}`: with bodies only agents open and close; leave it out, or make the environment without bodies"
+    )]
+    Process(State),
     /// No agent is allowed to be missing.
     #[error("an environment needs at least one agent: ask for one, or more")]
     NoAgents,
@@ -190,6 +195,11 @@ pub(super) fn in_a_row(labels: &[Label]) -> String {
     if more == 0 { named.join(", ") } else { format!("{} and {more} more", named.join(", ")) }
 }
 
+/// An error: a thing has no room where it is wanted, or no way leads from it to there.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("there is no room for {0} where it is wanted, or no way from it to there")]
+pub struct NoRoom(pub Label);
+
 /// Why bodies cannot do an action that the transition rule, which knows no shapes, allows.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
@@ -295,9 +305,12 @@ pub enum PhysicalRefusal {
     /// The world refuses.
     #[error(transparent)]
     Physics(#[from] PhysicsError<Label>),
-    /// Poses or relations cannot be read after the action.
+    /// Poses cannot be written into the graph after the action.
     #[error("the outcome cannot be read: {0}")]
-    Unreadable(String),
+    Poses(#[from] EditError),
+    /// Relations cannot be read after the action.
+    #[error("the outcome cannot be read: {0}")]
+    Relations(#[from] InputError),
 }
 
 /// The reason why a thing cannot be put where or as an action asks.

@@ -3,8 +3,8 @@
 use vc_graph::{Action, NodeId, Place, Relation, State, Verb};
 use vc_physics::{Floor, PhysicsWorld};
 
-use super::Environment;
 use super::execute::{Bodies, FreeSpot, Planner, Step};
+use super::{Environment, NoRoom};
 
 impl Environment {
     /// Whether an agent would find a path to a spot in the thing's room from which its hands reach the thing
@@ -38,12 +38,12 @@ impl Environment {
     /// bodies. Costs a millisecond, and some more for each thing.
     ///
     /// # Errors
-    /// The first thing for which no place has room, or to which no path is left.
-    pub fn has_room(&self, agent: NodeId, wants: &[(NodeId, Vec<Place>)]) -> Result<(), NodeId> {
+    /// [`NoRoom`] with the first thing for which no place has room, or to which no path is left.
+    pub fn has_room(&self, agent: NodeId, wants: &[(NodeId, Vec<Place>)]) -> Result<(), NoRoom> {
         let (mut world, mut floor) = (self.world.clone(), self.floor.clone());
         for (id, places) in wants {
             if !places.iter().any(|place| self.puts(&mut world, &mut floor, agent, (*id, *place)).is_some()) {
-                return Err(*id);
+                return Err(NoRoom(self.graph.label(*id)));
             }
         }
         Ok(())

@@ -44,7 +44,7 @@ pub use builder::EnvironmentBuilder;
 use builder::EnvironmentSettings;
 pub use clock::{Ending, Interruption};
 pub use compare::{Difference, Disagreement};
-pub use error::{ActionError, MakeError, PhysicalRefusal, ResetError, SaveError, SpotRefusal};
+pub use error::{ActionError, MakeError, NoRoom, PhysicalRefusal, ResetError, SaveError, SpotRefusal};
 #[cfg(feature = "render")]
 pub(crate) use export::position;
 #[cfg(feature = "render")]

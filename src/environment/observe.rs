@@ -57,17 +57,19 @@ pub(super) fn look_again(
     relations: &mut Relations,
     changed: &[NodeId],
 ) -> Result<(Vec<NodeId>, ChangeSet), PhysicalRefusal> {
-    let unreadable = |e: &dyn std::fmt::Display| PhysicalRefusal::Unreadable(e.to_string());
-    let (moved, poses) = write_poses(graph, world).map_err(|e| unreadable(&e))?;
+    let (moved, poses) = write_poses(graph, world)?;
+    let stay = graph.agents().iter().filter(|agent| !moved.contains(agent));
+    let faced: Vec<Edge> = stay.flat_map(|agent| faced_by(graph, *agent)).collect();
     let all = [moved.as_slice(), changed].concat();
-    let met = relations.update_with(graph, &all, evidence(world)).map_err(|e| unreadable(&e))?;
+    let met = relations.update_with(graph, &all, evidence(world))?;
     let kept = |graph: &SceneGraph, id: NodeId| {
         boxes::still_at(start, graph, world, id)
             .or_else(|| boxes::unmoved_at(graph, world, id, &moved))
             .or_else(|| boxes::carried_at(graph, world, id))
     };
-    let edges = relations.write_except(graph, &met, kept).map_err(|e| unreadable(&e))?;
-    Ok((met, poses.then(edges)))
+    let edges = relations.write_except(graph, &met, kept)?;
+    let facing = keep_facing(graph, faced);
+    Ok((met, poses.then(edges).then(facing)))
 }
 
 /// Adds the places that the rule expects below a cover: a plate on a tablecloth is on the table too, as
@@ -100,15 +102,19 @@ pub(super) fn holder(change: &Change) -> Option<NodeId> {
     }
 }
 
-/// Keeps what an agent has turned to, as long as it is before it. Relations know of screens and
+/// The things that an agent faces.
+pub(super) fn faced_by(graph: &SceneGraph, agent: NodeId) -> impl Iterator<Item = Edge> {
+    graph.related(agent, Relation::Facing).map(move |id| Edge::new(agent, Relation::Facing, id))
+}
+
+/// Keeps what agents have turned to, as long as it is before them. Relations know of screens and
 /// pictures only that they are faced: one turns to anything.
-pub(super) fn keep_facing(observed: &mut SceneGraph, ruled: &SceneGraph, agent: NodeId) -> ChangeSet {
-    let before =
-        |id: &NodeId| !observed.has(Edge::new(agent, Relation::Facing, *id)) && is_before(observed, agent, *id);
-    let kept: Vec<NodeId> = ruled.related(agent, Relation::Facing).filter(before).collect();
+pub(super) fn keep_facing(observed: &mut SceneGraph, faced: impl IntoIterator<Item = Edge>) -> ChangeSet {
+    let lost = |edge: &Edge| !observed.has(*edge) && is_before(observed, edge.from, edge.to);
+    let kept: Vec<Edge> = faced.into_iter().filter(lost).collect();
     let mut edit = observed.edit();
     // Both are there.
-    kept.into_iter().for_each(|id| drop(edit.relate(Edge::new(agent, Relation::Facing, id))));
+    kept.into_iter().for_each(|edge| drop(edit.relate(edge)));
     edit.commit()
 }
 

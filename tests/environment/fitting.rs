@@ -4,11 +4,11 @@
 
 use std::sync::LazyLock;
 
-use virtualcity::graph::{Action, NodeId, Place, Relation, SceneGraph, Seed, Verb, Violation};
+use virtualcity::graph::{Action, NodeId, Place, Property, Relation, SceneGraph, Seed, Verb, Violation};
 use virtualcity::initial::{at_home_that, feasible, generator};
 use virtualcity::tasks::WorldError;
 use virtualcity::tasks::library::Benchmark;
-use virtualcity::{ActionError, Environment, PhysicalRefusal};
+use virtualcity::{ActionError, Environment, NoRoom, PhysicalRefusal};
 
 /// An environment of a benchmark task whose actions are all possible with bodies.
 fn environment(task: &str) -> (Environment, NodeId) {
@@ -99,7 +99,10 @@ fn there_is_room_for_laundry_and_not_for_the_wardrobe() {
     let shirts: Vec<_> = home.graph().of_class("shirt").into_iter().map(inside).collect();
     assert_eq!(home.has_room(*agent, &shirts), Ok(()));
     let wardrobe = home.graph().of_class("wardrobe")[0];
-    assert_eq!(home.has_room(*agent, &[shirts[0].clone(), inside(wardrobe)]), Err(wardrobe));
+    assert_eq!(
+        home.has_room(*agent, &[shirts[0].clone(), inside(wardrobe)]),
+        Err(NoRoom(home.graph().label(wardrobe)))
+    );
 }
 
 /// An agent can turn towards anything, and keeps facing it while it stands there.
@@ -117,6 +120,22 @@ fn what_one_turns_to_one_faces() {
     act(&mut home, agent, Verb::Walk, &[other]);
     act(&mut home, agent, Verb::TurnTo, &[other]);
     assert!(home.graph().facing(agent, other) && !home.graph().facing(agent, shelf));
+}
+
+/// Whoever has turned to a thing looks at it and points at it, wherever it is in the room.
+#[test]
+fn what_one_has_turned_to_one_looks_at() {
+    for seed in [0, 42] {
+        let mut home = super::home(seed, 1);
+        let (agent, graph) = (home.agents()[0], home.graph().clone());
+        let room = graph.room_of(agent).unwrap();
+        let things = graph.in_room(room).filter(|id| graph.node(*id).unwrap().affords(Property::Surface));
+        for thing in things {
+            for verb in [Verb::TurnTo, Verb::LookAt, Verb::PointAt] {
+                act(&mut home, agent, verb, &[thing]);
+            }
+        }
+    }
 }
 
 /// An agent that walks up to a container can reach into it and is near its contents, wherever its door stands.

@@ -21,6 +21,7 @@ mod pictures;
 mod record;
 mod single_actions;
 mod stays;
+mod teams;
 mod windows;
 mod wishes;
 

@@ -11,7 +11,13 @@ const FEW: usize = 6;
 #[derive(Debug, Default)]
 pub(crate) struct VisitOrder {
     few: [Option<NodeId>; FEW],
-    many: Vec<NodeId>,
+    many: Option<Box<Many>>,
+}
+
+/// The nodes beyond the first few.
+#[derive(Debug, Default)]
+struct Many {
+    order: Vec<NodeId>,
     all: BTreeSet<NodeId>,
 }
 
@@ -28,9 +34,10 @@ impl VisitOrder {
                 }
             }
         }
-        let new = self.all.insert(id);
+        let many = self.many.get_or_insert_default();
+        let new = many.all.insert(id);
         if new {
-            self.many.push(id);
+            many.order.push(id);
         }
         new
     }
@@ -39,12 +46,13 @@ impl VisitOrder {
     pub(crate) fn get(&self, position: usize) -> Option<NodeId> {
         match self.few.get(position) {
             Some(id) => *id,
-            None => self.many.get(position - FEW).copied(),
+            None => self.many.as_ref()?.order.get(position - FEW).copied(),
         }
     }
 
     /// All visited nodes, in order.
     pub(crate) fn into_vec(self) -> Vec<NodeId> {
-        self.few.into_iter().flatten().chain(self.many).collect()
+        let many = self.many.map_or_else(Vec::new, |many| many.order);
+        self.few.into_iter().flatten().chain(many).collect()
     }
 }

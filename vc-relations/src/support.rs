@@ -130,7 +130,8 @@ impl<'w> Supports<'w> {
         }
         let start = out.len();
         if let Some(pushes) = self.facts.pushed.get(&body.id) {
-            let up = || pushes.iter().filter(|(by, v)| **v > 0.0 && is_there(by));
+            let is_content = |by: NodeId| self.world.index(by).is_some_and(|by| self.contains(index, by));
+            let up = || pushes.iter().filter(|(by, v)| **v > 0.0 && is_there(by) && !is_content(**by));
             let sum: f32 = up().map(|p| p.1).sum();
             let carries = up().filter(|(_, v)| **v >= IMPULSE_SHARE * sum);
             let support = |(&by, v): (_, &f32)| Support { by, kind: SupportKind::Contact, share: v / sum, gap: 0.0 };
@@ -169,6 +170,11 @@ impl<'w> Supports<'w> {
         }
         let share = 1.0 / (out.len() - start) as f32;
         out[start..].iter_mut().for_each(|c| c.support.share = share);
+    }
+
+    /// Whether one body contains another, and so does not rest on it: a lamp wedged in a drawer carries no nightstand.
+    fn contains(&self, index: usize, other: usize) -> bool {
+        self.world.pair(other, index).is_some_and(|pair| pair.inside)
     }
 
     /// Whether one body may rest on the other of a pair. Only movable things are carried in hands: not the

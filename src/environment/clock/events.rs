@@ -1,5 +1,7 @@
 //! Beginnings of actions, and the events of their motions.
 
+use std::collections::VecDeque;
+
 use vc_graph::asset::JointKind;
 use vc_graph::{Action, Effect, NodeId, Pose, rule};
 use vc_physics::{MovingPart, Posture};
@@ -29,7 +31,8 @@ impl Environment {
         if !refusals.is_empty() {
             return self.end(agent, action, Err(ActionError::Refused(refusals)));
         }
-        self.clock.running.insert(agent, Schedule::new(action));
+        let tasks = if self.start.time.bodies { Task::of(&action) } else { VecDeque::new() };
+        self.clock.running.insert(agent, Schedule::new(action, tasks));
         self.go_on(agent);
     }
 

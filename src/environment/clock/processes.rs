@@ -16,12 +16,14 @@ pub(in crate::environment) struct TimeSettings {
     pub(in crate::environment) at_once: bool,
     /// The day and time at tick zero.
     pub(in crate::environment) begin: DayTime,
+    /// Whether bodies do the actions; else the rule alone says their outcome.
+    pub(in crate::environment) bodies: bool,
 }
 
 impl Default for TimeSettings {
     fn default() -> Self {
         let (processes, durations) = (ProcessTable::builtin(), Durations::builtin());
-        Self { processes, durations, at_once: false, begin: DayTime::new(0, 12 * 3600) }
+        Self { processes, durations, at_once: false, begin: DayTime::new(0, 12 * 3600), bodies: true }
     }
 }
 

@@ -8,7 +8,7 @@ use super::track::Track;
 use crate::environment::compare::{Outcome, unsteady};
 use crate::environment::execute::off_aim;
 use crate::environment::motion::BodyMotion;
-use crate::environment::observe::{self, holder, keep_facing, lay_through};
+use crate::environment::observe::{self, faced_by, holder, keep_facing, lay_through};
 use crate::environment::{ActionError, Disagreement, Environment, PhysicalRefusal, astray};
 
 impl Environment {
@@ -38,7 +38,7 @@ impl Environment {
     /// Reads what has moved into the graph; tells of a thing that has fallen out of the home.
     pub(super) fn read_moved(&mut self) -> Result<Option<NodeId>, PhysicalRefusal> {
         let changed = std::mem::take(&mut self.clock.changed);
-        if changed.is_empty() && !std::mem::take(&mut self.clock.unseen) {
+        if !self.start.time.bodies || (changed.is_empty() && !std::mem::take(&mut self.clock.unseen)) {
             return Ok(None);
         }
         let (graph, relations) = (&mut self.graph, &mut self.relations);
@@ -105,12 +105,15 @@ impl Environment {
         }
         let Some(schedule) = self.clock.running.get(&agent) else { return Ok(false) };
         let (action, Some(truth)) = (schedule.action, schedule.truth.clone()) else { return Ok(false) };
+        if !self.start.time.bodies {
+            return Ok(true);
+        }
         if let Some(why) = off_aim(&self.world, &self.graph, agent, &action) {
             return Err(self.cannot(agent, why));
         }
         let changed: Vec<NodeId> = truth.changes.changes().iter().filter_map(holder).chain([agent]).collect();
         let graph = &mut self.graph;
-        let faced = keep_facing(graph, &truth.ruled, agent).then(lay_through(graph, &truth.ruled, &changed));
+        let faced = keep_facing(graph, faced_by(&truth.ruled, agent)).then(lay_through(graph, &truth.ruled, &changed));
         self.clock.note(faced);
         let (before, ruled, observed) = (&truth.before, &truth.ruled, &self.graph);
         let outcome = Outcome { before, ruled, observed, world: &self.world };

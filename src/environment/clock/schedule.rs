@@ -82,10 +82,11 @@ pub(super) struct Truth {
 }
 
 impl Schedule {
-    pub(super) fn new(action: Action) -> Self {
+    /// The schedule of an action of which nothing is done yet. Without tasks its effects come true with a gesture.
+    pub(super) fn new(action: Action, tasks: VecDeque<Task>) -> Self {
         let (motions, motion, phase) = (VecDeque::new(), None, Phase::Back);
         let (begin, track, until) = (Tick::default(), Track::Still, Tick::default());
-        let (tasks, done, picked, settling) = (Task::of(&action), None, None, None);
+        let (done, picked, settling) = (None, None, None);
         let (truth, balanced, pushes, chases) = (None, None, false, 0);
         Self {
             tasks,

@@ -1,7 +1,7 @@
 //! Where there is room for a thing, and how room is made for it.
 
 use nalgebra::{Point2, Point3, Vector3};
-use vc_graph::{EditError, Node, NodeId, Place, Pose, Property, Relation, SceneGraph};
+use vc_graph::{Node, NodeId, Place, Pose, Property, Relation, SceneGraph};
 use vc_physics::{BodyRole, Packing, PhysicsWorld, SpotOrder, SpotSearch};
 
 use super::planner::Planner;
@@ -223,10 +223,9 @@ impl Planner<'_> {
 
 /// A graph in which a thing has another scale.
 pub(super) fn scaled(graph: &SceneGraph, id: NodeId, scale: Vector3<f32>) -> Result<SceneGraph, PhysicalRefusal> {
-    let unreadable = |e: EditError| PhysicalRefusal::Unreadable(e.to_string());
     let mut graph = graph.clone();
     let mut edit = graph.edit();
-    edit.set_scale(id, scale).map_err(unreadable)?;
+    edit.set_scale(id, scale)?;
     edit.commit();
     Ok(graph)
 }

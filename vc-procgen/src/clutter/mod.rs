@@ -13,8 +13,8 @@ use std::borrow::Cow;
 use std::collections::HashMap;
 use std::rc::Rc;
 
-use vc_graph::Seed;
 use vc_graph::asset::Hold;
+use vc_graph::{ClassTable, Seed};
 use vc_shapes::Generators;
 
 use crate::apartment::Apartment;
@@ -82,7 +82,7 @@ fn fill_surface(filler: &mut SurfaceFiller<'_>, surface: usize, choices: &mut Ch
     let density = match hold {
         Hold::Inside => 20.0,
         Hold::On if matches!(class, "sofa" | "armchair" | "chair" | "dining_chair" | "office_chair") => 0.4,
-        Hold::On if class.contains("bed") => 0.3,
+        Hold::On if ClassTable::builtin().is_a(class, "bed") => 0.3,
         Hold::On => 7.0,
         Hold::Hook => return,
     };

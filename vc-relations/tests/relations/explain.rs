@@ -4,9 +4,11 @@
 
 use crate::shared;
 
-use nalgebra::Point3;
+use nalgebra::{Point3, Vector3};
 use vc_graph::{Edge, Relation};
-use vc_relations::{BoxTrace, Evidence, Explanation, Hit, NearSide, RelationRule, Relations, TraceOutcome};
+use vc_relations::{
+    BoxTrace, ContactEvidence, Evidence, Explanation, Hit, NearSide, RelationRule, Relations, TraceOutcome,
+};
 
 fn explain(rule: RelationRule, lines: &[&str], from: &str, to: &str) -> (shared::Named, Explanation) {
     let scene = shared::scene(lines.iter().copied());
@@ -49,6 +51,19 @@ fn hits_upwards_tell_which_piece_was_met_and_where() {
     assert!((hit.at - Point3::new(0.3825, 0.0, 0.72)).norm() < 1e-4, "{hit:?}");
     assert_eq!(hit.outcome, TraceOutcome::Counts);
     assert!(why.holds.contains(&Relation::Under));
+}
+
+/// A book that is wedged in a shelf bears part of its weight, and still does not carry it.
+#[test]
+fn nothing_rests_on_its_contents() {
+    let scene = shared::scene(["f = floor 4 4", "s = shelf 0.3 0.8 1.2 3", "b = book 0.2 0.03 0.25 @ 0 0 0.413"]);
+    let (floor, shelf, book) = (scene.id("f"), scene.id("s"), scene.id("b"));
+    let push = |by, on| ContactEvidence { between: (by, on), impulse: Vector3::new(0.0, 0.0, 1.0) };
+    let evidence = Evidence::default().contact(push(floor, shelf)).contact(push(book, shelf));
+    let relations = Relations::new(&scene.graph, RelationRule::Contacts, evidence).unwrap();
+    let has = |from, relation, to| relations.has(Edge::new(from, relation, to));
+    assert!(has(book, Relation::Inside, shelf) && has(shelf, Relation::On, floor));
+    assert!(!has(shelf, Relation::On, book));
 }
 
 #[test]

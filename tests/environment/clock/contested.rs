@@ -1,0 +1,232 @@
+//! Agents in each other's way: twenty cases, with their outcomes and ticks.
+
+use virtualcity::graph::clock::Span;
+use virtualcity::graph::{Action, NodeId, Place, Property, Relation, State, Verb, rule};
+use virtualcity::{Environment, Interruption};
+
+use super::{LONG, both_near, home, interruption, now, on_furniture, outcome, run};
+
+/// A case: it finds the nodes that it needs in a home, and gives the orders of the two agents.
+type Case = fn(&mut Environment, [NodeId; 2]) -> Option<Vec<(Span, NodeId, Action)>>;
+
+/// Lets an agent do an action at once, in the making of a case.
+fn does(home: &mut Environment, agent: NodeId, action: Action) -> Option<()> {
+    home.set_action(agent, action).ok().map(drop)
+}
+
+/// A thing on furniture that the agents are near and that may be acted on in some ways by the second one.
+fn shared(home: &mut Environment, b: NodeId, verbs: &[Verb]) -> Option<NodeId> {
+    both_near(home, |home, id| {
+        let mut near = home.clone();
+        on_furniture(home, id)
+            && does(&mut near, b, Action::one(Verb::Walk, id)).is_some()
+            && verbs.iter().all(|verb| rule::refusals(near.graph(), b, &Action::one(*verb, id)).is_empty())
+    })
+}
+
+fn fridge(home: &mut Environment, agents: [NodeId; 2], open: bool) -> Option<NodeId> {
+    let fridge = home.graph().first_of_class("fridge")?;
+    does(home, agents[0], Action::one(Verb::Walk, fridge))?;
+    if open {
+        does(home, agents[0], Action::one(Verb::Open, fridge))?;
+    }
+    does(home, agents[1], Action::one(Verb::Walk, fridge))?;
+    Some(fridge)
+}
+
+fn lamp(home: &mut Environment, state: State) -> Option<NodeId> {
+    both_near(home, |home, id| home.graph().node(id).is_some_and(|n| n.is(state)) && home.world().aabb(id).is_some())
+}
+
+/// A thing that an agent has fetched from somewhere.
+fn fetched(home: &mut Environment, agent: NodeId) -> Option<NodeId> {
+    let all: Vec<NodeId> = home.graph().nodes().map(|n| n.id()).filter(|id| on_furniture(home, *id)).collect();
+    all.into_iter().find(|id| {
+        does(home, agent, Action::one(Verb::Walk, *id)).is_some()
+            && does(home, agent, Action::one(Verb::Grab, *id)).is_some()
+    })
+}
+
+/// A seat for one, and the agents near it.
+fn seat(home: &mut Environment) -> Option<NodeId> {
+    both_near(home, |home, id| {
+        home.graph().node(id).is_some_and(|n| n.affords(Property::Sittable))
+            && home.world().body(id).unwrap().seats().len() == 1
+    })
+}
+
+/// A door between rooms at which `a` stands, and the orders with which it shuts it so that something comes of it.
+fn door(
+    home: &mut Environment,
+    [a, b]: [NodeId; 2],
+    meant: fn(&Interruption) -> bool,
+) -> Option<Vec<(Span, NodeId, Action)>> {
+    let graph = home.graph().clone();
+    let doors = graph.nodes().filter(|n| graph.related(n.id(), Relation::Between).count() == 2);
+    for door in doors.map(|n| n.id()) {
+        let rooms: Vec<NodeId> = graph.related(door, Relation::Between).collect();
+        for (from, to) in [(rooms[0], rooms[1]), (rooms[1], rooms[0])] {
+            let mut there = home.clone();
+            let goes = [(b, from), (a, from), (a, door)];
+            if goes.into_iter().any(|(agent, at)| does(&mut there, agent, Action::walk(at)).is_none()) {
+                continue;
+            }
+            if graph.node(door).unwrap().is(State::Closed) && does(&mut there, a, Action::open(door)).is_none() {
+                continue;
+            }
+            for delay in (0..300).step_by(15) {
+                let orders = vec![now(b, Action::walk(to)), (Span(delay), a, Action::close(door))];
+                let (_, endings) = run(&there, &orders, LONG);
+                if endings.iter().any(|ending| interruption(ending).is_some_and(meant)) {
+                    *home = there;
+                    return Some(orders);
+                }
+            }
+        }
+    }
+    None
+}
+
+/// Agents in each other's way, with the second's delay in ticks where it matters.
+const CONTESTED: &[(&str, Case)] = &[
+    ("both grab one thing", |home, [a, b]| {
+        let thing = shared(home, b, &[Verb::Grab])?;
+        Some(vec![now(a, Action::one(Verb::Grab, thing)), now(b, Action::one(Verb::Grab, thing))])
+    }),
+    ("both grab one thing, b a third of a second later", |home, [a, b]| {
+        let thing = shared(home, b, &[Verb::Grab])?;
+        Some(vec![now(a, Action::one(Verb::Grab, thing)), (Span(20), b, Action::one(Verb::Grab, thing))])
+    }),
+    ("b grabs what a has taken", |home, [a, b]| {
+        let thing = shared(home, b, &[Verb::Grab])?;
+        Some(vec![now(a, Action::one(Verb::Grab, thing)), (Span(200), b, Action::one(Verb::Grab, thing))])
+    }),
+    ("a touches what b takes", |home, [a, b]| {
+        let thing = shared(home, b, &[Verb::Grab])?;
+        Some(vec![now(a, Action::one(Verb::Touch, thing)), now(b, Action::one(Verb::Grab, thing))])
+    }),
+    ("a pushes what b takes", |home, [a, b]| {
+        let thing = shared(home, b, &[Verb::Grab, Verb::Push])?;
+        Some(vec![now(a, Action::one(Verb::Push, thing)), now(b, Action::one(Verb::Grab, thing))])
+    }),
+    ("both walk to one thing", |home, [a, b]| {
+        let fridge = home.graph().first_of_class("fridge")?;
+        Some(vec![now(a, Action::one(Verb::Walk, fridge)), now(b, Action::one(Verb::Walk, fridge))])
+    }),
+    ("a walks to b, who walks away", |home, [a, b]| {
+        let fridge = home.graph().first_of_class("fridge")?;
+        Some(vec![now(a, Action::one(Verb::Walk, b)), now(b, Action::one(Verb::Walk, fridge))])
+    }),
+    ("a greets b, who walks away", |home, [a, b]| {
+        does(home, a, Action::one(Verb::Walk, b))?;
+        let fridge = home.graph().first_of_class("fridge")?;
+        Some(vec![now(a, Action::one(Verb::Greet, b)), now(b, Action::one(Verb::Walk, fridge))])
+    }),
+    ("both open one door", |home, agents| {
+        let fridge = fridge(home, agents, false)?;
+        Some(agents.map(|agent| now(agent, Action::one(Verb::Open, fridge))).to_vec())
+    }),
+    ("b closes what a opens, before it is open", |home, [a, b]| {
+        let fridge = fridge(home, [a, b], false)?;
+        Some(vec![now(a, Action::one(Verb::Open, fridge)), (Span(30), b, Action::one(Verb::Close, fridge))])
+    }),
+    ("a takes a thing out while b closes the door", |home, [a, b]| {
+        let fridge = fridge(home, [a, b], true)?;
+        let near = |id: &NodeId| home.graph().near(a, *id);
+        let inside = home.graph().relating(Relation::Inside, fridge).find(near)?;
+        Some(vec![now(a, Action::one(Verb::Grab, inside)), now(b, Action::one(Verb::Close, fridge))])
+    }),
+    ("a puts a thing in while b closes the door", |home, [a, b]| {
+        let fridge = fridge(home, [a, b], true)?;
+        let all: Vec<NodeId> = home.graph().relating(Relation::Inside, fridge).collect();
+        let inside = all.into_iter().find(|id| does(home, a, Action::one(Verb::Grab, *id)).is_some())?;
+        Some(vec![now(a, Action::two(Verb::PutIn, inside, fridge)), now(b, Action::one(Verb::Close, fridge))])
+    }),
+    ("a shuts a door before b, who walks through it", |home, agents| {
+        door(home, agents, |why| matches!(why, Interruption::Shut { .. }))
+    }),
+    ("a shuts a door while b is in the doorway", |home, agents| {
+        door(home, agents, |why| matches!(why, Interruption::InDoorway { .. }))
+    }),
+    ("a lifts a cup while b pours into it", |home, [a, b]| {
+        let table = both_near(home, |home, id| {
+            home.graph().node(id).is_some_and(|n| n.affords(Property::Surface) && n.class().ends_with("table"))
+        })?;
+        let place = Place { relation: Relation::On, at: table };
+        let (bottle, cup) = (home.spawn("bottled_water", place).ok()?, home.spawn("cup", place).ok()?);
+        does(home, b, Action::walk(bottle))?;
+        does(home, b, Action::grab(bottle))?;
+        does(home, a, Action::walk(cup))?;
+        does(home, b, Action::walk(cup))?;
+        let pour = Action::two(Verb::Pour, bottle, cup);
+        let allowed = rule::refusals(home.graph(), b, &pour).is_empty();
+        allowed.then(|| vec![now(b, pour), (Span(10), a, Action::grab(cup))])
+    }),
+    ("both press one switch", |home, agents| {
+        let lamp = lamp(home, State::Off)?;
+        Some(agents.map(|agent| now(agent, Action::one(Verb::SwitchOn, lamp))).to_vec())
+    }),
+    ("b switches off what a switches on", |home, [a, b]| {
+        let lamp = lamp(home, State::Off)?;
+        Some(vec![now(a, Action::one(Verb::SwitchOn, lamp)), (Span(60), b, Action::one(Verb::SwitchOff, lamp))])
+    }),
+    ("both sit down on one chair", |home, agents| {
+        let chair = seat(home)?;
+        Some(agents.map(|agent| now(agent, Action::one(Verb::Sit, chair))).to_vec())
+    }),
+    ("b sits down where a is about to sit", |home, [a, b]| {
+        let chair = seat(home)?;
+        Some(vec![now(a, Action::one(Verb::Sit, chair)), (Span(10), b, Action::one(Verb::Sit, chair))])
+    }),
+    ("b sits down where a gets up", |home, [a, b]| {
+        let chair = seat(home)?;
+        does(home, a, Action::one(Verb::Sit, chair))?;
+        Some(vec![now(a, Action::zero(Verb::Stand)), (Span(70), b, Action::one(Verb::Sit, chair))])
+    }),
+    ("both put things on one table", |home, [a, b]| {
+        let (first, second) = (fetched(home, a)?, fetched(home, b)?);
+        let puts = |agent, thing, table| now(agent, Action::two(Verb::Place, thing, table));
+        let table = both_near(home, |home, id| {
+            let surface = |n: &virtualcity::graph::Node| n.affords(Property::Surface) && n.class().ends_with("table");
+            home.graph().node(id).is_some_and(surface)
+        })?;
+        Some(vec![puts(a, first, table), puts(b, second, table)])
+    }),
+    ("a is given something else on its way", |home, [a, _]| {
+        let fridge = home.graph().first_of_class("fridge")?;
+        Some(vec![now(a, Action::one(Verb::Walk, fridge)), (Span(45), a, Action::zero(Verb::Wave))])
+    }),
+    ("a drops a thing before b's feet, who walks", |home, [a, b]| {
+        let thing = shared(home, b, &[Verb::Grab])?;
+        does(home, a, Action::one(Verb::Grab, thing))?;
+        let fridge = home.graph().first_of_class("fridge")?;
+        Some(vec![now(a, Action::one(Verb::Drop, thing)), now(b, Action::one(Verb::Walk, fridge))])
+    }),
+];
+
+/// Contested cases: their outcome and its tick are the same in single ticks and at once, and in any order.
+#[test]
+fn contested_cases_end_as_they_did() {
+    let mut table = String::from("# case: agent tick after the begin outcome, ...\n");
+    for (name, case) in CONTESTED {
+        let found = [42, 8, 5, 9].into_iter().find_map(|seed| {
+            let mut home = home(seed, 2);
+            let agents = [home.agents()[0], home.agents()[1]];
+            let orders = case(&mut home, agents)?;
+            Some((home, agents, orders))
+        });
+        let (home, agents, orders) = found.unwrap_or_else(|| panic!("no home for: {name}"));
+        let begin = home.tick();
+        let (_, endings) = outcome(&home, &orders);
+        let told = endings.iter().map(|e| {
+            let who = if e.agent == agents[0] { "a" } else { "b" };
+            let how = e.outcome.as_ref().map_or_else(ToString::to_string, |_| "done".into());
+            format!("{who} {} {how}", (e.tick - begin).0)
+        });
+        table += &format!("{name}: {}\n", told.collect::<Vec<_>>().join(", "));
+    }
+    vc_testkit::golden::same_lines(
+        &std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/contested.txt"),
+        &table,
+    );
+}
