@@ -185,8 +185,8 @@ pub(crate) fn list(scene: &SceneGraph, me: NodeId) {
         wrapped("", &words.collect::<Vec<_>>().join(", "));
     }
     say!("\nverbs");
-    for verb in Verb::ALL {
-        say!("  {:<11} {}", verb.as_str(), verb.rule().description);
+    for rule in scene.vocabulary().rules() {
+        say!("  {:<11} {}", rule.verb.as_str(), rule.description);
     }
     say!("\nwhat the agent could do where it is, among others");
     let able = scene

@@ -61,7 +61,7 @@ impl Outcome<'_> {
         let mut nodes: Vec<NodeId> = changes.changes().iter().flat_map(touched).chain(met.iter().copied()).collect();
         nodes.sort_unstable();
         nodes.dedup();
-        let effects = rule::effects(action);
+        let effects = rule::effects(self.before.vocabulary(), action);
         let let_go = |id: NodeId| effects.contains(&Effect::LetGo(id)) || self.lost_origin(&effects, id);
         let kept = nodes.iter().filter(|id| !let_go(**id));
         let mut found: Vec<Difference> = kept.filter_map(|&id| self.place(id)).collect();

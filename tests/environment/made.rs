@@ -276,15 +276,14 @@ fn errors_name_what_is_not_there() {
 /// Agents greet, touch and play with each other, and not with themselves.
 #[test]
 fn people_are_no_playthings_of_their_own() {
-    use virtualcity::graph::Verb::{Play, Push, Touch, Walk, Wash};
     let mut home = home(42, 2);
     let (me, other) = (home.agents()[0], home.agents()[1]);
-    home.set_action(me, virtualcity::graph::Action::one(Walk, other)).unwrap();
-    for verb in [Touch, Push, Play] {
+    home.set_action(me, virtualcity::graph::Action::one(Verb::Walk, other)).unwrap();
+    for verb in [Verb::Touch, Verb::Push, Verb::Play] {
         let action = virtualcity::graph::Action::one(verb, other);
         home.set_action(me, action).unwrap_or_else(|e| panic!("{}: {e}", action.describe(home.graph())));
     }
     let legal = home.legal_actions(me);
-    assert!(legal.iter().all(|a| ![Play, Push, Walk].contains(&a.verb) || a.object != Some(me)));
-    assert!(legal.contains(&virtualcity::graph::Action::one(Wash, me)));
+    assert!(legal.iter().all(|a| ![Verb::Play, Verb::Push, Verb::Walk].contains(&a.verb) || a.object != Some(me)));
+    assert!(legal.contains(&virtualcity::graph::Action::one(Verb::Wash, me)));
 }

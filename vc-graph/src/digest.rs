@@ -4,7 +4,7 @@ use crate::hash::{Digest, Digester};
 use crate::{Node, NodeId, Observation, SceneGraph};
 
 impl SceneGraph {
-    /// A digest of everything in the scene: nodes, states, poses, relations.
+    /// A digest of everything in the scene: own words, nodes, states, poses, relations.
     ///
     /// ```
     /// use vc_graph::{Draft, SceneBuilder};
@@ -17,6 +17,7 @@ impl SceneGraph {
     pub fn digest(&self) -> Digest {
         let mut hash = Digester::new();
         hash.text(&self.name);
+        self.vocabulary().lines().for_each(|line| _ = hash.text(&line));
         self.nodes().for_each(|node| feed(&mut hash, node, |_| true));
         hash.digest()
     }
@@ -59,7 +60,11 @@ fn feed(hash: &mut Digester, node: &Node, told: impl Fn(NodeId) -> bool) {
     hash.text(&spec.class).text(&spec.spelling).text(&spec.category);
     hash.text(spec.name.as_deref().unwrap_or_default());
     hash.text(node.contents.as_deref().unwrap_or_default());
-    hash.words([spec.properties.bits(), spec.affordances.bits(), node.states.bits()]);
+    hash.words([spec.properties.builtin_bits(), spec.affordances.builtin_bits(), node.states.builtin_bits()]);
+    for own in [spec.properties, spec.affordances] {
+        own.feed_own(hash);
+    }
+    node.states.feed_own(hash);
     if let Some(pose) = &node.pose {
         hash.reals(pose.translation.vector.iter().chain(pose.rotation.coords.iter()).copied());
     }

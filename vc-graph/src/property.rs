@@ -1,11 +1,10 @@
 //! Affordances: the actions that an object permits.
 
-use crate::vocabulary::{Set, vocabulary};
+use crate::vocabulary::{Set, Word, open_vocabulary};
 
-vocabulary! {
+open_vocabulary! {
     /// An affordance or property of an object. The first twenty-three are
     /// VirtualHome's; [`Property::virtualhome`] gives their original names.
-    #[non_exhaustive]
     Property, "property" {
         /// Objects can be put on it.
         Surface = "surface",
@@ -113,7 +112,7 @@ const VIRTUALHOME: [&str; 23] = [
 impl Property {
     /// VirtualHome's name of the property, if it has one.
     pub fn virtualhome(self) -> Option<&'static str> {
-        VIRTUALHOME.get(self as usize).copied()
+        VIRTUALHOME.get(Word::index(self)).copied()
     }
 
     /// The property of a VirtualHome name.
@@ -125,6 +124,6 @@ impl Property {
     /// ```
     pub fn from_virtualhome(name: &str) -> Option<Self> {
         let index = VIRTUALHOME.iter().position(|&n| n == name)?;
-        <Self as crate::vocabulary::Word>::ALL.get(index).copied()
+        Self::ALL.get(index).copied()
     }
 }

@@ -1,11 +1,10 @@
 //! States of objects and agents: open, on, clean, ...
 
 use crate::Property;
-use crate::vocabulary::{Set, vocabulary};
+use crate::vocabulary::{Set, open_vocabulary};
 
-vocabulary! {
+open_vocabulary! {
     /// A state of an object or agent. Opposites exclude each other, see [`State::opposites`].
-    #[non_exhaustive]
     State, "state" {
         /// Its door, lid or cover is open.
         Open = "open",

@@ -35,6 +35,8 @@ pub enum Violation {
     NotAContainer(Label, Label),
     /// A pose or box is not finite, or a box has no size.
     BadGeometry(Label),
+    /// A node has an own word that the scene's vocabulary lacks.
+    UndeclaredWord(Label, &'static str),
     /// More agents sit or lie on it than it has places for.
     OverCapacity(Label, usize, u32),
 }
@@ -54,6 +56,7 @@ impl fmt::Display for Violation {
             Self::NotASurface(id, at) => write!(f, "{id} is on {at}, which is no surface"),
             Self::NotAContainer(id, at) => write!(f, "{id} is inside {at}, which is no container"),
             Self::BadGeometry(id) => write!(f, "{id} has a pose or box that is not finite, or a box without size"),
+            Self::UndeclaredWord(id, word) => write!(f, "{id} is {word}, which the scene's vocabulary lacks"),
             Self::OverCapacity(id, n, places) => write!(f, "{n} agents are on {id}, which has place for {places}"),
         }
     }
@@ -142,7 +145,9 @@ impl SceneGraph {
     }
 
     fn check_itself(&self, node: &Node, found: &mut Vec<Violation>) {
-        found.extend(node.states().conflicts().map(|s| Violation::ExclusiveStates(node.label(), s)));
+        found.extend(self.vocabulary().conflicts(node.states()).map(|s| Violation::ExclusiveStates(node.label(), s)));
+        let lacking = self.vocabulary().word_lacking(node);
+        found.extend(lacking.map(|word| Violation::UndeclaredWord(node.label(), word)));
         let sound_box = node.spec().bounds.is_none_or(|b| b.half.iter().all(|h| h.is_finite() && *h >= 0.0));
         if !sound_box || node.pose().is_some_and(|p| !is_finite(p)) {
             found.push(Violation::BadGeometry(node.label()));

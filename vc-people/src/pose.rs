@@ -2,7 +2,7 @@
 
 use nalgebra::{Point3, UnitQuaternion, Vector3};
 use vc_graph::portable::Portable;
-use vc_graph::{Pose, Verb};
+use vc_graph::{Motion, Pose};
 
 use super::ADULT;
 use super::bone::{BodySide, Bone, LEG};
@@ -38,7 +38,7 @@ pub struct Activity {
     /// The distance walked so far, metres.
     pub walked: Option<f32>,
     /// A gesture, and the time since it began, seconds.
-    pub gesture: Option<(Verb, f32)>,
+    pub gesture: Option<(Motion, f32)>,
     /// The point that it keeps in view while it stands.
     pub gaze: Option<Point3<f32>>,
     /// A reaching hand.
@@ -136,7 +136,7 @@ impl Skeleton {
 
     /// Rolls the trunk in a gesture of the whole body.
     fn dance(&mut self, activity: &Activity) {
-        if let Some((Verb::Dance | Verb::Exercise | Verb::Stretch, time)) = activity.gesture {
+        if let Some((Motion::Dance | Motion::Exercise | Motion::Stretch, time)) = activity.gesture {
             let roll = UnitQuaternion::from_axis_angle(&Vector3::x_axis(), 0.18 * (6.0 * time).sine());
             self.turn(Bone::Chest, roll);
         }
@@ -197,15 +197,15 @@ fn step(side: BodySide, walked: Option<f32>) -> Point3<f32> {
 }
 
 /// The position of a hand in a gesture that is the body's alone.
-fn gesture(side: BodySide, (verb, time): (Verb, f32)) -> Option<Point3<f32>> {
+fn gesture(side: BodySide, (motion, time): (Motion, f32)) -> Option<Point3<f32>> {
     let beat = (7.0 * time).sine();
     let at = |x: f32, y: f32, z: f32| Some(Point3::new(x, y * side.sign(), z));
-    match (verb, side) {
-        (Verb::Wave | Verb::Greet, BodySide::Right) => at(0.2, 0.38 + 0.1 * beat, 1.72),
-        (Verb::Dance, _) => at(0.3, 0.35, 1.25 + 0.15 * beat * side.sign()),
-        (Verb::Exercise, _) => at(0.1, 0.4 + 0.2 * beat, 1.5 + 0.25 * beat),
-        (Verb::Stretch, _) => at(0.0, 0.25, 1.95),
-        (Verb::Type | Verb::Play, _) => at(0.36, 0.12, 1.1 + 0.01 * beat),
+    match (motion, side) {
+        (Motion::Wave, BodySide::Right) => at(0.2, 0.38 + 0.1 * beat, 1.72),
+        (Motion::Dance, _) => at(0.3, 0.35, 1.25 + 0.15 * beat * side.sign()),
+        (Motion::Exercise, _) => at(0.1, 0.4 + 0.2 * beat, 1.5 + 0.25 * beat),
+        (Motion::Stretch, _) => at(0.0, 0.25, 1.95),
+        (Motion::Play, _) => at(0.36, 0.12, 1.1 + 0.01 * beat),
         _ => None,
     }
 }
@@ -232,7 +232,7 @@ mod tests {
         let activities = [
             Activity::default(),
             Activity { walked: Some(0.4), ..Activity::default() },
-            Activity { gesture: Some((Verb::Dance, 0.3)), ..Activity::default() },
+            Activity { gesture: Some((Motion::Dance, 0.3)), ..Activity::default() },
             Activity { reach: Some(reach(Point3::new(0.5, 0.0, 0.2))), ..Activity::default() },
         ];
         for posture in [BodyPosture::Standing, BodyPosture::Sitting(0.45), BodyPosture::Lying] {
@@ -252,7 +252,7 @@ mod tests {
     #[test]
     fn gestures_go_with_the_body() {
         for posture in [BodyPosture::Standing, BodyPosture::Sitting(0.45)] {
-            let activity = Activity { gesture: Some((Verb::Wave, 0.0)), ..Activity::default() };
+            let activity = Activity { gesture: Some((Motion::Wave, 0.0)), ..Activity::default() };
             let skeleton = Skeleton::new(posture, &activity, [None, None]);
             let hand = skeleton.motion(Bone::Hand(BodySide::Right)) * palm(BodySide::Right);
             let far = (hand.coords - skeleton.eyes().translation.vector).norm();

@@ -350,22 +350,27 @@ impl Agent {
     /// Expects of a thing no more what bodies could not do with it: another is taken, another
     /// place is found. Whether there was something to expect.
     pub fn bar(&mut self, action: &Action) -> bool {
-        use Property::{
-            Container, Drivable, Graspable, Heater, Lieable, Openable, Recipient, Sittable, Surface, Switchable,
-        };
         // Whatever would let things be put there by the rule.
-        const CARRIES: &[Property] = &[Surface, Sittable, Lieable, Container, Recipient, Heater];
+        const CARRIES: &[Property] = &[
+            Property::Surface,
+            Property::Sittable,
+            Property::Lieable,
+            Property::Container,
+            Property::Recipient,
+            Property::Heater,
+        ];
         // A container that is full stands open: that it cannot be shut any more is left out of account.
-        const ENCLOSES: &[Property] = &[Container, Recipient, Openable, Drivable];
+        const ENCLOSES: &[Property] =
+            &[Property::Container, Property::Recipient, Property::Openable, Property::Drivable];
         let (properties, id): (&[Property], NodeId) = match (action.verb, action.object, action.target) {
-            (Verb::Grab, Some(id), _) => (&[Graspable], id),
+            (Verb::Grab, Some(id), _) => (&[Property::Graspable], id),
             (Verb::Walk | Verb::Run | Verb::Find, Some(id), _) => return self.avoid(id),
             // Nothing gets into what stays shut.
             (Verb::Open, Some(id), _) => (ENCLOSES, id),
-            (Verb::Close, Some(id), _) => (&[Openable], id),
-            (Verb::SwitchOn | Verb::SwitchOff, Some(id), _) => (&[Switchable], id),
-            (Verb::Sit, Some(id), _) => (&[Sittable], id),
-            (Verb::Lie, Some(id), _) => (&[Lieable], id),
+            (Verb::Close, Some(id), _) => (&[Property::Openable], id),
+            (Verb::SwitchOn | Verb::SwitchOff, Some(id), _) => (&[Property::Switchable], id),
+            (Verb::Sit, Some(id), _) => (&[Property::Sittable], id),
+            (Verb::Lie, Some(id), _) => (&[Property::Lieable], id),
             (Verb::Place, _, Some(at)) => (CARRIES, at),
             (Verb::PutIn, _, Some(into)) => (ENCLOSES, into),
             _ => return false,
@@ -378,10 +383,18 @@ impl Agent {
 
     /// Plans no more with a thing there is no way to.
     fn avoid(&mut self, id: NodeId) -> bool {
-        use Property::{Container, Graspable, Heater, Lieable, Recipient, Sittable, Surface, Switchable};
         self.forget_plans();
         let excluded = self.belief.exclude(id);
-        let all = [Graspable, Surface, Sittable, Lieable, Container, Recipient, Heater, Switchable];
+        let all = [
+            Property::Graspable,
+            Property::Surface,
+            Property::Sittable,
+            Property::Lieable,
+            Property::Container,
+            Property::Recipient,
+            Property::Heater,
+            Property::Switchable,
+        ];
         let there = self.belief.graph().node(id).is_some_and(|n| n.kind() == NodeKind::Object);
         all.into_iter().filter(|_| there).fold(excluded, |barred, property| self.belief.bar(id, property) | barred)
     }

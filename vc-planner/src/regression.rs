@@ -279,7 +279,7 @@ impl<'a> Regression<'a> {
     /// first come to see it, whatever it supposes about the thing; a thing to be held is seen when it is fetched, and
     /// need not be near anything else then.
     fn needs(&self, action: &Action) -> Vec<Condition> {
-        let needs = rule::preconditions(action);
+        let needs = rule::preconditions(self.graph.vocabulary(), action);
         let missing = action.things().filter(|&id| action.verb != Verb::Walk && self.is_missing(id));
         let sight = missing.flat_map(|id| match Condition::Holding(id) {
             held if needs.contains(&held) => vec![held],

@@ -36,8 +36,8 @@ impl ClassFacts {
 
     /// Whether its objects are graspable and hold no others.
     pub(crate) fn is_only_carried(&self) -> bool {
-        use Property::{Container, Graspable, Lieable, Recipient, Sittable, Surface};
-        let holds = [Container, Recipient, Surface, Sittable, Lieable];
-        self.affordances.contains(Graspable) && !holds.into_iter().any(|p| self.affordances.contains(p))
+        let holds =
+            [Property::Container, Property::Recipient, Property::Surface, Property::Sittable, Property::Lieable];
+        self.affordances.contains(Property::Graspable) && !holds.into_iter().any(|p| self.affordances.contains(p))
     }
 }

@@ -2,32 +2,33 @@
 
 use vc_graph::clock::ProcessTable;
 use vc_graph::goal::Predicate;
-use vc_graph::rule::table::RULES;
-use vc_graph::{Effect, Relation, State};
+use vc_graph::{Effect, Relation, State, Vocabulary};
 
-/// Whether a predicate can be made true: the transition rules have an action that does so, or the built-in
+/// Whether a predicate can be made true: the rules of a vocabulary have an action that does so, or the built-in
 /// [`ProcessTable`] a process. Processes go on only in a world with a clock: that of `virtualcity::Environment` runs,
 /// [`Simulator`](vc_graph::Simulator) has none.
 ///
 /// ```
-/// use vc_graph::State;
+/// use vc_graph::{State, Vocabulary};
 /// use vc_graph::goal::Predicate;
 /// use vc_tasks::lint::brought_about;
-/// assert!(brought_about(Predicate::State(State::Cooked)));
-/// assert!(brought_about(Predicate::State(State::Frozen))); // by a freezer, in four hours
-/// assert!(!brought_about(Predicate::State(State::Broken)));
+/// let brought_about = |state| brought_about(&Vocabulary::builtin(), Predicate::State(state));
+/// assert!(brought_about(State::Cooked));
+/// assert!(brought_about(State::Frozen)); // by a freezer, in four hours
+/// assert!(!brought_about(State::Broken));
 /// ```
-pub fn brought_about(predicate: Predicate) -> bool {
+pub fn brought_about(words: &Vocabulary, predicate: Predicate) -> bool {
     let by_process = |state| ProcessTable::builtin().brings_about(state);
-    brought_about_by_action(predicate) || matches!(predicate, Predicate::State(state) if by_process(state))
+    brought_about_by_action(words, predicate) || matches!(predicate, Predicate::State(state) if by_process(state))
 }
 
-/// Whether the transition rules have an action that makes a predicate true.
-pub(crate) fn brought_about_by_action(predicate: Predicate) -> bool {
+/// Whether the rules of a vocabulary have an action that makes a predicate true.
+pub(crate) fn brought_about_by_action(words: &Vocabulary, predicate: Predicate) -> bool {
+    let mut effects = words.rules().flat_map(|rule| rule.effects.iter());
     match predicate {
         Predicate::Did(_) | Predicate::Holds => true,
-        Predicate::State(state) => RULES.iter().flat_map(|r| r.effects).any(|e| enters(e, state)),
-        Predicate::Relation(relation) => RULES.iter().flat_map(|r| r.effects).any(|e| relates(e, relation)),
+        Predicate::State(state) => effects.any(|e| enters(e, state)),
+        Predicate::Relation(relation) => effects.any(|e| relates(e, relation)),
         // No action creates an object that does not exist.
         Predicate::Real | _ => false,
     }

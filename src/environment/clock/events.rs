@@ -31,7 +31,7 @@ impl Environment {
         if !refusals.is_empty() {
             return self.end(agent, action, Err(ActionError::Refused(refusals)));
         }
-        let tasks = if self.start.time.bodies { Task::of(&action) } else { VecDeque::new() };
+        let tasks = if self.start.time.bodies { Task::of(self.graph.vocabulary(), &action) } else { VecDeque::new() };
         self.clock.running.insert(agent, Schedule::new(action, tasks));
         self.go_on(agent);
     }
@@ -127,7 +127,7 @@ impl Environment {
         let Some(schedule) = self.clock.running.get(&agent) else { return Ok(Plan::default()) };
         let (before, mut after) = (self.graph.clone(), self.graph.clone());
         if schedule.truth.is_none() {
-            let effects = rule::effects(&schedule.action);
+            let effects = rule::effects(self.graph.vocabulary(), &schedule.action);
             effects.iter().for_each(|effect| drop(rule::carry_out(&mut after, agent, effect)));
         }
         let (action, pushes) = (schedule.action, schedule.pushes);
@@ -142,7 +142,11 @@ impl Environment {
 
     fn begin_motion(&mut self, agent: NodeId, motion: BodyMotion) -> Going {
         let (now, from) = (self.tick(), self.world.pose(agent).unwrap_or_else(Pose::identity));
-        let brings_about = self.clock.running.get(&agent).filter(|s| s.truth.is_none() && s.comes_true_with(&motion));
+        let brings_about = self
+            .clock
+            .running
+            .get(&agent)
+            .filter(|s| s.truth.is_none() && s.comes_true_with(self.graph.vocabulary(), &motion));
         let takes = brings_about.and_then(|s| self.duration(&s.action));
         let (mut phase, mut track, mut until) = (Phase::Out, Track::Still, now + lasts(&motion, takes).0);
         match &motion {
@@ -261,7 +265,7 @@ impl Environment {
             }
             _ => None,
         };
-        let true_now = schedule.truth.is_none() && schedule.comes_true_with(&motion);
+        let true_now = schedule.truth.is_none() && schedule.comes_true_with(self.graph.vocabulary(), &motion);
         if let BodyMotion::PutAgain(id, _, true) = motion {
             schedule.balanced = Some(id);
         }
@@ -310,7 +314,7 @@ impl Environment {
             Effect::GoTo(id) | Effect::Approach(id) => Some(id),
             _ => None,
         };
-        let goal = rule::effects(&action).into_iter().find_map(goes_to);
+        let goal = rule::effects(self.graph.vocabulary(), &action).into_iter().find_map(goes_to);
         let Some(goal) = goal.filter(|id| self.graph.agents().contains(id)) else { return Ok(false) };
         self.clock.changed.push(agent);
         // What cannot be told now is read at the end.
@@ -322,7 +326,7 @@ impl Environment {
             return Err(self.interrupted(&action, Interruption::WalksAway(self.graph.label(goal))));
         }
         if let Some(schedule) = self.clock.running.get_mut(&agent) {
-            (schedule.tasks, schedule.chases) = (Task::of(&action), chases + 1);
+            (schedule.tasks, schedule.chases) = (Task::of(self.graph.vocabulary(), &action), chases + 1);
         }
         Ok(true)
     }

@@ -1,6 +1,6 @@
 //! The ends of actions: what they moved rests, is read, and is compared with the rule.
 
-use vc_graph::{Action, NodeId, Pose, SceneGraph, State, Verb};
+use vc_graph::{Action, Effect, NodeId, Pose, SceneGraph, State, rule};
 use vc_physics::BodyRole;
 
 use super::schedule::{NEVER, Phase};
@@ -182,7 +182,8 @@ impl Environment {
     /// Whether a thing is loose and no part of what an action is about: neither one of its things nor
     /// on or in one, nor with the agent. A thing on one that is only opened or closed has no part in that.
     fn is_bystander(&self, id: NodeId, agent: NodeId, action: &Action) -> bool {
-        let opens = matches!(action.verb, Verb::Open | Verb::Close);
+        let effects = rule::effects(self.graph.vocabulary(), action);
+        let opens = effects.iter().any(|effect| matches!(effect, Effect::Enter(_, State::Open | State::Closed)));
         let carried = |about: NodeId| (!opens || about == agent) && self.graph.rests_at(id, about);
         let of_it = |about: NodeId| id == about || carried(about) || self.graph.rests_at(about, id);
         self.world.role(id) == Some(BodyRole::Loose) && !action.things().chain([agent]).any(of_it)

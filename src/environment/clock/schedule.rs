@@ -4,7 +4,7 @@ use std::collections::VecDeque;
 
 use serde::{Deserialize, Serialize};
 use vc_graph::clock::{Span, Tick};
-use vc_graph::{Action, ChangeSet, Effect, NodeId, Pose, SceneGraph, rule};
+use vc_graph::{Action, ChangeSet, Effect, NodeId, Pose, SceneGraph, Vocabulary, rule};
 
 use super::show::Settling;
 use super::track::{REACHING, Track};
@@ -108,8 +108,8 @@ impl Schedule {
     }
 
     /// Whether the action's effects come true with a motion.
-    pub(super) fn comes_true_with(&self, motion: &BodyMotion) -> bool {
-        let effects = rule::effects(&self.action);
+    pub(super) fn comes_true_with(&self, words: &Vocabulary, motion: &BodyMotion) -> bool {
+        let effects = rule::effects(words, &self.action);
         match motion {
             BodyMotion::Take(..)
             | BodyMotion::Put(_)
@@ -130,7 +130,7 @@ impl Truth {
     /// The scenes before and after an action that the rule allows, by the rule alone.
     pub(super) fn new(before: SceneGraph, agent: NodeId, action: &Action) -> Self {
         let (mut ruled, mut changes) = (before.clone(), ChangeSet::default());
-        for effect in &rule::effects(action) {
+        for effect in &rule::effects(before.vocabulary(), action) {
             changes = changes.then(rule::carry_out(&mut ruled, agent, effect).unwrap_or_default());
         }
         let (met, excused) = (Vec::new(), Vec::new());
@@ -140,7 +140,7 @@ impl Truth {
     /// Takes up what somebody else has brought about meanwhile, who answers for what the action is about.
     pub(super) fn goes_on_with(&mut self, other: NodeId, action: &Action) {
         self.excused.extend(action.things());
-        for effect in &rule::effects(action) {
+        for effect in &rule::effects(self.before.vocabulary(), action) {
             for graph in [&mut self.before, &mut self.ruled] {
                 // The rule has allowed it in a scene that may differ; bodies say what came of it.
                 drop(rule::carry_out(graph, other, effect));

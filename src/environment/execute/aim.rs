@@ -193,7 +193,7 @@ pub(in crate::environment) fn off_aim(
     agent: NodeId,
     action: &Action,
 ) -> Option<PhysicalRefusal> {
-    let (aim, places) = (action.aim, action.verb.rule().aims.places?);
+    let (aim, places) = (action.aim, graph.vocabulary().rule(action.verb)?.aims.places?);
     let id = if places == Aimed::Object { action.object? } else { agent };
     let stands = world.posture(agent) == Some(Posture::Standing);
     let pose = world.pose(id).filter(|_| !aim.is_nothing() && (places != Aimed::Front || stands))?;

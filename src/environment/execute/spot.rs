@@ -233,8 +233,14 @@ pub(super) fn scaled(graph: &SceneGraph, id: NodeId, scale: Vector3<f32>) -> Res
 /// Whether a thing is of cloth and nothing else: it is folded and washed, and neither holds nor
 /// carries anything.
 fn is_cloth(node: &Node) -> bool {
-    use Property::{Breakable, Container, Foldable, Graspable, Lieable, Openable, Sittable, Surface, Washable};
     let has = |all: &[Property]| all.iter().filter(|p| node.affords(**p)).count();
-    has(&[Foldable, Graspable, Washable]) == 3
-        && has(&[Breakable, Container, Lieable, Openable, Sittable, Surface]) == 0
+    has(&[Property::Foldable, Property::Graspable, Property::Washable]) == 3
+        && has(&[
+            Property::Breakable,
+            Property::Container,
+            Property::Lieable,
+            Property::Openable,
+            Property::Sittable,
+            Property::Surface,
+        ]) == 0
 }

@@ -3,7 +3,8 @@
 use std::collections::VecDeque;
 
 use serde::{Deserialize, Serialize};
-use vc_graph::{Action, Condition, Effect, NodeId, Place, Pose, Relation, State, Verb, rule};
+use vc_graph::rule::{self, Argument};
+use vc_graph::{Action, Condition, Effect, Motion, NodeId, Place, Pose, Relation, State, Vocabulary};
 
 use super::planner::{Plan, Planner, Planning};
 use super::rest::FULL;
@@ -47,8 +48,8 @@ pub(in crate::environment) enum Task {
 
 impl Task {
     /// The tasks of an action.
-    pub(in crate::environment) fn of(action: &Action) -> VecDeque<Self> {
-        let effects = rule::effects(action).into_iter().map(Self::Effect);
+    pub(in crate::environment) fn of(words: &Vocabulary, action: &Action) -> VecDeque<Self> {
+        let effects = rule::effects(words, action).into_iter().map(Self::Effect);
         std::iter::once(Self::ComeNear(*action)).chain(effects).collect()
     }
 }
@@ -78,24 +79,25 @@ impl Planner<'_> {
     /// Moves the agent within reach of the action's objects if it stands.
     fn come_near(&mut self, action: &Action) -> Planning {
         // Actions that require nearness are done by hand.
-        let by_hand = rule::preconditions(action).iter().any(|c| matches!(c, Condition::Near(_)));
-        let rests = matches!(action.verb, Verb::Sit | Verb::Lie);
-        // Things are put down where there is room, and that spot is searched later.
-        let puts = matches!(action.verb, Verb::Place | Verb::PutIn | Verb::PutBack);
+        let Some(rule) = self.before.vocabulary().rule(action.verb) else { return Ok(Plan::default()) };
+        let by_hand = rule.preconditions.iter().any(|need| matches!(need, Condition::Near(_)));
+        // Where to stand then, is found later.
+        let later = rule.effects.iter().any(leads);
         let about = action.things().find(|id| !self.is_mine(*id));
         if let Some((id, side)) = about.zip(self.asked_side()) {
             return self.reach_side(id, side);
         }
         match about {
             // A lamp under the ceiling is switched at the wall, wherever the switch is.
-            Some(id) if matches!(action.verb, Verb::SwitchOn | Verb::SwitchOff) && self.is_overhead(id) => {
-                Ok(self.face(id))
-            }
-            Some(id) if by_hand && !rests && !puts && !matches!(action.verb, Verb::Open | Verb::Close) => {
-                self.reach(id)
-            }
+            Some(id) if rule.motion == Motion::Switch && self.is_overhead(id) => Ok(self.face(id)),
+            Some(id) if by_hand && !later => self.reach(id),
             _ => Ok(Plan::default()),
         }
+    }
+
+    /// The motion of the action's verb.
+    fn motion(&self) -> Option<Motion> {
+        self.before.vocabulary().rule(self.action.verb).map(|rule| rule.motion)
     }
 
     fn bring_about(&mut self, effect: &Effect<NodeId>) -> Planning {
@@ -106,7 +108,7 @@ impl Planner<'_> {
             Effect::GoTo(id) | Effect::Approach(id) => self.go_to(id),
             Effect::GoToPoint(aim) => aim.point().map_or_else(|| Ok(Plan::default()), |point| self.go_to_point(point)),
             Effect::StandAs(aim) => Ok(self.stand_as(&aim)),
-            Effect::TurnAs(aim) if self.action.verb == Verb::PointAt => {
+            Effect::TurnAs(aim) if self.motion() == Some(Motion::Point) => {
                 Ok(self.turn_as(&aim).then(Task::Gesture(*self.action)))
             }
             Effect::TurnAs(aim) => Ok(self.turn_as(&aim)),
@@ -132,6 +134,20 @@ impl Planner<'_> {
             _ => Ok(Plan::default()),
         }
     }
+}
+
+/// Whether an effect itself leads the agent to where it happens: to a seat, to a spot with room for a thing, before a
+/// door.
+fn leads(effect: &Effect<Argument>) -> bool {
+    matches!(
+        effect,
+        Effect::SitOn(_)
+            | Effect::LieOn(_)
+            | Effect::PutOn(..)
+            | Effect::PutInto(..)
+            | Effect::PutWhereItWas(_)
+            | Effect::Enter(_, State::Open | State::Closed)
+    )
 }
 
 /// The motion that shows an action.

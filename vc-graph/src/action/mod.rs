@@ -8,7 +8,8 @@ mod verb;
 
 use std::fmt;
 
-use crate::{NodeId, SceneGraph};
+use crate::rule::table::RULES;
+use crate::{NodeId, SceneGraph, Word};
 
 pub use aim::{Aim, AimError, AimPart, AimPoint, AimWord, Heading, Side};
 pub use names::{NameMismatch, ObjectNames};
@@ -135,7 +136,10 @@ impl Action {
         let (takes, given) = (verb.arity(), things.len());
         // VirtualHome writes `[SLEEP]` and `[SLEEP] <bed> (1)` alike.
         let optional = matches!(verb, Verb::Sleep | Verb::WakeUp | Verb::Stand | Verb::Leave) && given <= 1;
-        let aimed = given == 0 && verb.rule().aims.stands_for_object(&aim);
+        let builtin = RULES.get(verb.index());
+        // Which aims an own verb takes, its scene knows.
+        let aimed =
+            given == 0 && builtin.map_or(takes == 1 && !aim.is_nothing(), |rule| rule.aims.stands_for_object(&aim));
         if takes != given && !optional && !aimed {
             return Err(ActionTextError::Arity { verb, takes, given });
         }

@@ -1,10 +1,12 @@
 //! The verbs, with their names in VirtualHome.
 
+use crate::Word;
+use crate::rule::table::RULES;
 use crate::spelling::same_word;
-use crate::vocabulary::vocabulary;
+use crate::vocabulary::open_vocabulary;
 
-vocabulary! {
-    /// A verb. [`Verb::rule`](crate::Verb::rule) gives the arity, preconditions and effects of each.
+open_vocabulary! {
+    /// A verb. [`Vocabulary::rule`](crate::Vocabulary::rule) gives the arity, preconditions and effects of each.
     ///
     /// ```
     /// use vc_graph::{Verb, Word};
@@ -13,7 +15,6 @@ vocabulary! {
     /// assert!(Verb::parse("juggle").is_err());
     /// # Ok::<(), vc_graph::UnknownWord>(())
     /// ```
-    #[non_exhaustive]
     Verb, "verb" {
         /// Go to a room or an object, visible or not: the rule knows where everything is.
         Walk = "walk",
@@ -205,6 +206,9 @@ impl Verb {
     /// assert_eq!([Verb::Stand, Verb::Grab, Verb::Place].map(Verb::arity), [0, 1, 2]);
     /// ```
     pub fn arity(self) -> usize {
-        self.rule().arity
+        match (RULES.get(self.index()), self.own_name()) {
+            (Some(rule), _) => rule.arity,
+            (None, own) => own.map_or(0, |(_, things)| usize::from(things)),
+        }
     }
 }

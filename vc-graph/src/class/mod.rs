@@ -10,7 +10,7 @@ use std::collections::HashMap;
 use std::sync::{Arc, LazyLock};
 
 use crate::vocabulary::vocabulary;
-use crate::{ObjectRole, PropertySet, Relation, StateSet};
+use crate::{ObjectRole, PropertySet, Relation, StateSet, Vocabulary};
 
 pub use parse::{ClassError, ClassProblem};
 
@@ -250,6 +250,8 @@ pub struct ClassTable {
     written: HashMap<Arc<str>, usize>,
     /// For each class the indices of its descendants, itself included.
     kinds: Vec<Vec<usize>>,
+    /// The words that a scene with these classes has.
+    vocabulary: Arc<Vocabulary>,
 }
 
 /// The texts of the built-in table, by theme.
@@ -284,6 +286,28 @@ impl ClassTable {
             Arc::new(table.unwrap_or_default())
         });
         TABLE.clone()
+    }
+
+    /// The vocabulary of scenes with these classes; the built-in words unless it was set.
+    pub fn vocabulary(&self) -> &Arc<Vocabulary> {
+        &self.vocabulary
+    }
+
+    /// These classes with another vocabulary, whose words classes added later can have. Costs a copy of the table, about
+    /// a millisecond.
+    ///
+    /// ```
+    /// use vc_graph::{ClassTable, Property, Vocabulary, Word};
+    /// let words = Vocabulary::parse("words.txt", "property polishable")?;
+    /// let boots = "leather_boots | boots | | clothing | graspable polishable | 0.3 0.3 0.3 | 1 | | | ";
+    /// let classes = ClassTable::builtin().with_vocabulary(words).extended("classes.txt", boots)?;
+    /// let polishable = Property::parse("polishable")?;
+    /// assert!(classes.get("leather_boots").is_some_and(|class| class.affordances.contains(polishable)));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn with_vocabulary(&self, words: impl Into<Arc<Vocabulary>>) -> Self {
+        Self { vocabulary: words.into(), ..self.clone() }
     }
 
     /// Number of classes.

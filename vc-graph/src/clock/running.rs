@@ -207,7 +207,7 @@ fn carry_out(
     for (id, after) in outcomes {
         let (was, now) = (states(&before, id), states(edit.graph(), id));
         let left = now.minus(was.minus(after));
-        edit.set_states(id, after.minus(was).iter().fold(left, StateSet::entering))?;
+        edit.set_states(id, after.minus(was).iter().fold(left, |set, state| before.vocabulary().entering(set, state)))?;
     }
     Ok(edit.commit())
 }

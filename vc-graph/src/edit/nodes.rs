@@ -184,7 +184,8 @@ impl Edit<'_> {
     /// [`EditError::NoSuchNode`].
     pub fn enter_state(&mut self, id: NodeId, state: State) -> Result<(), EditError> {
         let before = self.graph.node(id).ok_or(EditError::NoSuchNode(id))?.states();
-        self.set_states(id, before.entering(state))
+        let after = self.graph.vocabulary().entering(before, state);
+        self.set_states(id, after)
     }
 
     /// Removes a state.

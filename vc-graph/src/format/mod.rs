@@ -92,6 +92,12 @@ pub enum FormatProblem {
     /// One character performs two actions in one step.
     #[error("`<char{0}>` does two things at once; write them in two lines, or name another character for one of them")]
     ActsTwice(u32),
+    /// An invalid declaration of an own word.
+    #[error(transparent)]
+    Vocabulary(#[from] Box<crate::VocabularyError>),
+    /// A node has an own word that the file and the classes do not declare.
+    #[error("`{0}` is not declared: add its line to `words`")]
+    Undeclared(&'static str),
     /// An invalid goal.
     #[error(transparent)]
     Goal(#[from] crate::goal::GoalError),

@@ -9,12 +9,16 @@
 //!  "edges": [[2, "in_room", 1]]}
 //! ```
 //!
+//! A scene with words of its own has their declarations as lines of a [`Vocabulary`](crate::Vocabulary), here `"words":
+//! ["state waxed | excludes: dusty"]`; they are added to those that the class table has.
+//!
 //! One node and one edge per line. Metres, kilograms, right-handed, Z up, X forward; quaternions are x, y, z,
 //! w.
 
 use std::fmt::Write;
 use std::sync::Arc;
 
+use serde::de::IgnoredAny;
 use serde::{Deserialize, Serialize};
 
 use super::{FormatError, FormatProblem, Source};
@@ -31,11 +35,13 @@ use crate::{
 /// The version that this program writes, and the latest that it reads.
 pub const VERSION: u32 = 1;
 
-#[derive(Serialize, Deserialize)]
+#[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct File {
     virtualcity: u32,
     name: String,
+    #[serde(default, rename = "words")]
+    _words: IgnoredAny,
     nodes: Vec<NodeFile>,
     edges: Vec<(NodeId, Relation, NodeId)>,
     #[serde(default)]
@@ -112,6 +118,7 @@ fn implied(category: &str) -> KindFile {
 /// poses.
 pub fn read(text: &str, classes: &Arc<ClassTable>) -> Result<SceneGraph, FormatError> {
     let source = Source::new("virtualcity scene", text);
+    let classes = &with_own_words(&source, text, classes)?;
     let file: File = source.json()?;
     if file.virtualcity > VERSION {
         return Err(source.error("virtualcity".into(), FormatProblem::Version(file.virtualcity, VERSION)));
@@ -126,6 +133,9 @@ pub fn read(text: &str, classes: &Arc<ClassTable>) -> Result<SceneGraph, FormatE
         let node = node
             .into_node(classes)
             .map_err(|field| source.error(at(field), FormatProblem::Number(field[1..].to_owned())))?;
+        if let Some(word) = classes.vocabulary().word_lacking(&node) {
+            return Err(source.error(at(""), FormatProblem::Undeclared(word)));
+        }
         graph.insert(Arc::new(node));
     }
     let edges: Vec<Edge> = file.edges.into_iter().map(|(from, relation, to)| Edge { from, relation, to }).collect();
@@ -133,6 +143,24 @@ pub fn read(text: &str, classes: &Arc<ClassTable>) -> Result<SceneGraph, FormatE
     let nowhere = |(index, id)| source.error(format!("edges[{index}]"), EditError::NoSuchNode(id));
     builder.link_each(&edges).map_err(nowhere)?;
     Ok(builder.build())
+}
+
+/// The classes with the own words of a file, which have to be known before its nodes are read.
+fn with_own_words(source: &Source<'_>, text: &str, classes: &Arc<ClassTable>) -> Result<Arc<ClassTable>, FormatError> {
+    #[derive(Deserialize)]
+    struct Words {
+        #[serde(default)]
+        words: Vec<String>,
+    }
+    // Most scenes have none, and are read once.
+    if !text.contains(r#""words""#) {
+        return Ok(classes.clone());
+    }
+    let lines = source.json::<Words>()?.words.join("\n");
+    let words = classes.vocabulary().extended("words", &lines);
+    let words = words.map_err(|error| source.error("words".into(), Box::new(error)))?;
+    let known = words == **classes.vocabulary();
+    Ok(if known { classes.clone() } else { Arc::new(classes.with_vocabulary(words)) })
 }
 
 fn library(
@@ -173,6 +201,10 @@ pub fn write(graph: &SceneGraph) -> String {
     let textures: Vec<&Arc<Texture>> = (0..).map_while(|i| library.texture(i)).collect();
     let materials: Vec<&Material> = (0..).map_while(|i| library.material(i)).collect();
     let assets: Vec<&Arc<Asset>> = (0..library.len() as u32).filter_map(|i| library.get(AssetId(i))).collect();
+    if !graph.vocabulary().is_builtin() {
+        list(&mut text, "words", graph.vocabulary().lines().map(|line| json(&line)));
+        text.push_str(",\n");
+    }
     list(&mut text, "nodes", graph.nodes().map(|n| json(&NodeFile::from(n))));
     text.push_str(",\n");
     // A symmetric relation is written once.

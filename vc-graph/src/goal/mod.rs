@@ -101,6 +101,7 @@ mod write;
 
 pub use evaluate::{BoundObjects, Situation};
 pub use literal::{Comparison, Literal, Predicate, Term};
+pub(crate) use names::is_predicate;
 pub use pairing::{Pairing, Pairs, Variable, largest_matching};
 pub use text::{GoalError, GoalProblem};
 pub use trace::EpisodeTrace;

@@ -47,7 +47,41 @@ const NAMES: &[(&str, Predicate)] = &[
     ("real", Predicate::Real),
 ];
 
-/// Every name of a predicate.
+/// Words of goals that are no predicates.
+const KEYWORDS: &[&str] = &[
+    "not",
+    "and",
+    "or",
+    "imply",
+    "forall",
+    "exists",
+    "true",
+    "false",
+    "eventually",
+    "always",
+    "within",
+    "steps",
+    "at",
+    "end",
+    "least",
+    "most",
+    "exactly",
+    "marginal",
+    "pairs",
+    "until",
+    "before",
+    "then",
+    "did",
+    "me",
+    "character",
+];
+
+/// Whether a name is that of a built-in predicate or has another meaning in goals.
+pub(crate) fn is_predicate(name: &str) -> bool {
+    predicates().chain(KEYWORDS.iter().copied()).any(|known| same_word(known, name))
+}
+
+/// Every built-in name of a predicate.
 pub(super) fn predicates() -> impl Iterator<Item = &'static str> {
     let named = NAMES.iter().map(|(name, _)| *name);
     named.chain(words::<State>()).chain(words::<Relation>()).chain(words::<Verb>())
@@ -75,7 +109,7 @@ pub(super) fn native_predicate(name: &str, given: usize) -> Option<Predicate> {
         return Some(Predicate::Relation(Relation::FilledWith));
     }
     let named = || NAMES.iter().find(|(n, _)| same_word(n, name)).map(|(_, p)| *p);
-    by_number.or_else(named).or_else(|| Verb::parse(name).ok().map(Predicate::Did))
+    by_number.or_else(named).or_else(|| Verb::builtin(name).map(Predicate::Did))
 }
 
 pub(super) fn eai_predicate(name: &str, given: usize) -> Option<Predicate> {

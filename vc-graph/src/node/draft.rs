@@ -131,7 +131,7 @@ impl Draft {
     pub(crate) fn into_node(self, id: NodeId, classes: &ClassTable) -> Node {
         let class = classes.get(&self.class);
         let states = self.states.unwrap_or_else(|| class.map_or(StateSet::EMPTY, |c| c.starts));
-        let states = self.entering.iter().fold(states, |set, &state| set.entering(state));
+        let states = self.entering.iter().fold(states, |set, &state| classes.vocabulary().entering(set, state));
         let contents = self.contents.clone();
         let pose = self.pose;
         let spec = Arc::new(self.into_spec(class, states));
@@ -199,11 +199,14 @@ pub(crate) fn role_of(
 /// windows and desks can be opened although their properties do not say so: a node with the state open or
 /// closed can be opened, unless it is a mere part of the building such as a door frame.
 fn affordances(written: Option<PropertySet>, class: Option<&Class>, states: StateSet) -> PropertySet {
-    use Property::{Openable, Plug, Switchable};
     let known = class.map_or(PropertySet::EMPTY, |c| c.affordances);
     let Some(written) = written else { return known };
-    let all = written.union(known.minus(PropertySet::from_words(&[Openable, Plug, Switchable])));
+    let all = written.union(known.minus(PropertySet::from_words(&[
+        Property::Openable,
+        Property::Plug,
+        Property::Switchable,
+    ])));
     let opens = states.contains(State::Open) || states.contains(State::Closed);
-    let fixed = class.is_some_and(|c| c.category == Category::Structure) && !known.contains(Openable);
-    if opens && !fixed { all.with(Openable) } else { all }
+    let fixed = class.is_some_and(|c| c.category == Category::Structure) && !known.contains(Property::Openable);
+    if opens && !fixed { all.with(Property::Openable) } else { all }
 }

@@ -29,17 +29,22 @@ impl Node {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn carries(&self) -> bool {
-        use Property::{Container, Heater, Lieable, Recipient, Sittable, Surface};
-        self.affords_any(&[Surface, Sittable, Lieable, Container, Recipient, Heater]) || self.is_leaves()
+        self.affords_any(&[
+            Property::Surface,
+            Property::Sittable,
+            Property::Lieable,
+            Property::Container,
+            Property::Recipient,
+            Property::Heater,
+        ]) || self.is_leaves()
     }
 
     /// Whether things may be in it: the author or the class table says that it is a container, a vessel or a vehicle. A
     /// node of a class that is not in the table counts as a container if it opens; known classes that open may be doors
     /// or books.
     pub fn encloses(&self, classes: &ClassTable) -> bool {
-        use Property::{Container, Drivable, Openable, Recipient};
-        self.affords_any(&[Container, Recipient, Drivable])
-            || (self.affords(Openable) && classes.get(self.class()).is_none())
+        self.affords_any(&[Property::Container, Property::Recipient, Property::Drivable])
+            || (self.affords(Property::Openable) && classes.get(self.class()).is_none())
     }
 
     /// Whether liquids can be poured into it or onto it.

@@ -7,9 +7,10 @@ use crate::asset::Hold;
 use crate::class::SlotKind;
 use crate::rule::effect::Effect;
 use crate::rule::refusal::Refusal;
+use crate::vocabulary::unknown;
 use crate::{
     Action, Aim, AimPart, AimPoint, AimWord, BoundsFrame, NEAR, Node, NodeId, NodeKind, ObjectRole, SceneGraph, State,
-    Verb,
+    Verb, VocabularyProblem,
 };
 
 /// How far a point of a surface may be beside the surface's box, metres: numbers are rounded.
@@ -41,11 +42,13 @@ pub enum Aimed {
 /// The aims that a verb takes.
 ///
 /// ```
-/// use vc_graph::{NodeId, Verb, rule};
-/// assert_eq!(Verb::Sit.rule().aims.texts(Verb::Sit), ["sit THING seat N"]);
+/// use vc_graph::{Verb, Vocabulary};
+/// let words = Vocabulary::builtin();
+/// let aims = |verb| words.rule(verb).map(|rule| rule.aims).ok_or("no such verb");
+/// assert_eq!(aims(Verb::Sit)?.texts(Verb::Sit), ["sit THING seat N"]);
 /// let eat = "eat apple.3 at 1 2".parse()?;
-/// assert!(!Verb::Eat.rule().aims.fit(&eat));
-/// # Ok::<(), vc_graph::ActionTextError>(())
+/// assert!(!aims(Verb::Eat)?.fit(&eat));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct AimRule {
@@ -84,9 +87,35 @@ pub(super) const TAKING: AimRule = AimRule { forms: &[with(&[By])], places: None
 /// On this seat.
 pub(super) const SITTING: AimRule = AimRule { forms: &[with(&[Seat])], places: None };
 
+/// The aims that the rules of a text can name, with the number of things that they are for.
+const NAMED: &[(&str, usize, AimRule)] = &[
+    ("going", 1, GOING),
+    ("turning", 1, TURNING),
+    ("pointing", 1, POINTING),
+    ("putting", 2, PUTTING),
+    ("dropping", 1, DROPPING),
+    ("taking", 1, TAKING),
+    ("sitting", 1, SITTING),
+];
+
 impl AimRule {
     /// No aims.
     pub(super) const NONE: Self = Self { forms: &[], places: None };
+
+    /// The aims of a name, for a verb with so many things; without a name there are none.
+    pub(crate) fn named(name: &str, things: usize) -> Result<Self, VocabularyProblem> {
+        match NAMED.iter().find(|(known, ..)| *known == name) {
+            _ if name.is_empty() => Ok(Self::NONE),
+            Some((_, needed, rule)) if *needed == things => Ok(*rule),
+            Some((aims, needed, _)) => Err(VocabularyProblem::Aims { aims, needed: *needed }),
+            None => Err(unknown("set of aims", name, &NAMED.iter().map(|(name, ..)| *name).collect::<Vec<_>>())),
+        }
+    }
+
+    /// The name of the aims; empty if there are none.
+    pub(crate) fn name(&self) -> &'static str {
+        NAMED.iter().find(|(.., rule)| rule == self).map_or("", |(name, ..)| name)
+    }
 
     fn takes(&self, aim: &Aim, alone: bool) -> bool {
         let words = aim.words();
@@ -149,8 +178,8 @@ pub(super) fn refusals(graph: &SceneGraph, agent: NodeId, action: &Action) -> Ve
     if aim.is_nothing() {
         return Vec::new();
     }
-    let places = action.verb.rule().aims.places;
-    let point = aim.point().and_then(|point| match places? {
+    let rule = graph.vocabulary().rule(action.verb);
+    let point = aim.point().and_then(|point| match rule?.aims.places? {
         Aimed::Feet => of.standing_at(point),
         Aimed::Front => None,
         Aimed::Object => of.putting_at(point),

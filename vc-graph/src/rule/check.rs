@@ -15,7 +15,8 @@ pub(super) fn check_things(graph: &SceneGraph, agent: NodeId, action: &Action) -
         return Some(Refusal::NoAgent(body.label()));
     }
     let (verb, takes, given) = (action.verb, action.verb.arity(), action.things().count());
-    let aims = &verb.rule().aims;
+    let Some(rule) = graph.vocabulary().rule(verb) else { return Some(Refusal::NoSuchVerb(verb)) };
+    let aims = &rule.aims;
     if takes != given && !(given == 0 && aims.stands_for_object(&action.aim)) {
         return Some(Refusal::Arity { verb, takes, given });
     }
@@ -71,7 +72,7 @@ impl Condition {
     /// let milk = scene.add_in(fridge, Draft::new("milk"))?;
     /// let me = scene.add_in(kitchen, Draft::new("character"))?;
     /// let graph = scene.build();
-    /// let open = rule::preconditions(&"open fridge.2".parse()?).into_iter().find(|c| matches!(c, Condition::Near(_)));
+    /// let open = rule::preconditions(graph.vocabulary(), &"open fridge.2".parse()?).into_iter().find(|c| matches!(c, Condition::Near(_)));
     /// assert!(open.ok_or("no such condition")?.check(&graph, me).is_err(), "the agent has not walked there");
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```

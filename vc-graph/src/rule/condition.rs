@@ -1,7 +1,7 @@
 //! Preconditions of actions.
 
-use crate::rule::effect::Argument;
-use crate::{Action, NodeId, Property, Relation, State};
+use crate::vocabulary::forms;
+use crate::{NodeId, Property, Relation, State};
 
 /// A precondition of an action. `T` is the role of an object in the rule table, or the object itself once the
 /// condition is [grounded](Condition::ground).
@@ -104,62 +104,55 @@ pub enum Condition<T = NodeId> {
     Related(T, Relation, T),
 }
 
-impl Condition<Argument> {
-    /// The condition with the objects of an action; `None` if the action lacks one.
-    pub fn ground(self, action: &Action) -> Option<Condition> {
-        use Condition as C;
-        let of = |role: Argument| role.of(action);
-        Some(match self {
-            C::Affords(t, p) => C::Affords(of(t)?, p),
-            C::In(t, s) => C::In(of(t)?, s),
-            C::NotIn(t, s) => C::NotIn(of(t)?, s),
-            C::Near(t) => C::Near(of(t)?),
-            C::Reachable(t) => C::Reachable(of(t)?),
-            C::Tangible(t) => C::Tangible(of(t)?),
-            C::Accessible(t) => C::Accessible(of(t)?),
-            C::Graspable(t) => C::Graspable(of(t)?),
-            C::NotElsewhereHeld(t) => C::NotElsewhereHeld(of(t)?),
-            C::FreeHand => C::FreeHand,
-            C::FreeHandOrHolding(t) => C::FreeHandOrHolding(of(t)?),
-            C::Holding(t) => C::Holding(of(t)?),
-            C::HoldingSomething => C::HoldingSomething,
-            C::HoldingKind(p) => C::HoldingKind(p),
-            C::Carries(t) => C::Carries(of(t)?),
-            C::Encloses(t) => C::Encloses(of(t)?),
-            C::Accepts(t) => C::Accepts(of(t)?),
-            C::Fits(t, u) => C::Fits(of(t)?, of(u)?),
-            C::OriginNear(t) => C::OriginNear(of(t)?),
-            C::Upright => C::Upright,
-            C::UprightOrNear(t) => C::UprightOrNear(of(t)?),
-            C::AtRest => C::AtRest,
-            C::NotSitting => C::NotSitting,
-            C::NotLying => C::NotLying,
-            C::SeatFree(t) => C::SeatFree(of(t)?),
-            C::BedFree(t) => C::BedFree(of(t)?),
-            C::SeatInside(t) => C::SeatInside(of(t)?),
-            C::Steady(t) => C::Steady(of(t)?),
-            C::Aboard => C::Aboard,
-            C::AboardOf(t) => C::AboardOf(of(t)?),
-            C::Facing(t) => C::Facing(of(t)?),
-            C::SameRoom(t) => C::SameRoom(of(t)?),
-            C::Worn(t) => C::Worn(of(t)?),
-            C::Edible(t) => C::Edible(of(t)?),
-            C::Potable(t) => C::Potable(of(t)?),
-            C::Liquid(t) => C::Liquid(of(t)?),
-            C::Receives(t) => C::Receives(of(t)?),
-            C::Cuttable(t) => C::Cuttable(of(t)?),
-            C::OnHeat(t) => C::OnHeat(of(t)?),
-            C::InCold(t) => C::InCold(of(t)?),
-            C::Mobile(t) => C::Mobile(of(t)?),
-            C::Soft(t) => C::Soft(of(t)?),
-            C::Typable(t) => C::Typable(of(t)?),
-            C::SafeToOpen(t) => C::SafeToOpen(of(t)?),
-            C::Personal(t) => C::Personal(of(t)?),
-            C::Other(t) => C::Other(of(t)?),
-            C::Related(t, r, u) => C::Related(of(t)?, r, of(u)?),
-        })
-    }
-}
+forms! { Condition, "condition" {
+    Affords = "affords" { 0: thing, 1: property };
+    In = "in" { 0: thing, 1: state };
+    NotIn = "not_in" { 0: thing, 1: state };
+    Near = "near" { 0: thing };
+    Reachable = "reachable" { 0: thing };
+    Tangible = "tangible" { 0: thing };
+    Accessible = "accessible" { 0: thing };
+    Graspable = "graspable" { 0: thing };
+    NotElsewhereHeld = "not_elsewhere_held" { 0: thing };
+    FreeHand = "free_hand" {};
+    FreeHandOrHolding = "free_hand_or_holding" { 0: thing };
+    Holding = "holding" { 0: thing };
+    HoldingSomething = "holding_something" {};
+    HoldingKind = "holding_kind" { 0: property };
+    Carries = "carries" { 0: thing };
+    Encloses = "encloses" { 0: thing };
+    Accepts = "accepts" { 0: thing };
+    Fits = "fits" { 0: thing, 1: other };
+    OriginNear = "origin_near" { 0: thing };
+    Upright = "upright" {};
+    UprightOrNear = "upright_or_near" { 0: thing };
+    AtRest = "at_rest" {};
+    NotSitting = "not_sitting" {};
+    NotLying = "not_lying" {};
+    SeatFree = "seat_free" { 0: thing };
+    BedFree = "bed_free" { 0: thing };
+    SeatInside = "seat_inside" { 0: thing };
+    Steady = "steady" { 0: thing };
+    Aboard = "aboard" {};
+    AboardOf = "aboard_of" { 0: thing };
+    Facing = "facing" { 0: thing };
+    SameRoom = "same_room" { 0: thing };
+    Worn = "worn" { 0: thing };
+    Edible = "edible" { 0: thing };
+    Potable = "potable" { 0: thing };
+    Liquid = "liquid" { 0: thing };
+    Receives = "receives" { 0: thing };
+    Cuttable = "cuttable" { 0: thing };
+    OnHeat = "on_heat" { 0: thing };
+    InCold = "in_cold" { 0: thing };
+    Mobile = "mobile" { 0: thing };
+    Soft = "soft" { 0: thing };
+    Typable = "typable" { 0: thing };
+    SafeToOpen = "safe_to_open" { 0: thing };
+    Personal = "personal" { 0: thing };
+    Other = "other" { 0: thing };
+    Related = "related" { 0: thing, 1: relation, 2: other };
+}}
 
 impl<T> Condition<T> {
     /// Whether no action can change it: it concerns constant properties of an object.

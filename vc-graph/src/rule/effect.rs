@@ -1,6 +1,7 @@
 //! Effects of actions.
 
-use crate::{Action, Aim, NodeId, State};
+use crate::vocabulary::forms;
+use crate::{Aim, State};
 
 /// The role of an object in an action.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -9,15 +10,6 @@ pub enum Argument {
     X,
     /// The second object: the place where the first is put.
     Y,
-}
-
-impl Argument {
-    pub(super) fn of(self, action: &Action) -> Option<NodeId> {
-        match self {
-            Self::X => action.object,
-            Self::Y => action.target,
-        }
-    }
 }
 
 /// An effect of an action. `T` as in [`Condition`](super::Condition).
@@ -76,37 +68,30 @@ pub enum Effect<T> {
     PoseAs(T, Aim),
 }
 
-impl Effect<Argument> {
-    /// The effect with the objects of an action; `None` if the action lacks one.
-    pub fn ground(self, action: &Action) -> Option<Effect<NodeId>> {
-        use Effect as E;
-        let of = |role: Argument| role.of(action);
-        Some(match self {
-            E::Enter(t, s) => E::Enter(of(t)?, s),
-            E::EnterWith(t, s) => E::EnterWith(of(t)?, s),
-            E::EnterOwn(s) => E::EnterOwn(s),
-            E::LeaveOwn(s) => E::LeaveOwn(s),
-            E::GoTo(t) => E::GoTo(of(t)?),
-            E::Approach(t) => E::Approach(of(t)?),
-            E::Face(t) => E::Face(of(t)?),
-            E::Hold(t) => E::Hold(of(t)?),
-            E::PutOn(t, u) => E::PutOn(of(t)?, of(u)?),
-            E::PutInto(t, u) => E::PutInto(of(t)?, of(u)?),
-            E::PutWhereItWas(t) => E::PutWhereItWas(of(t)?),
-            E::LetGo(t) => E::LetGo(of(t)?),
-            E::SitOn(t) => E::SitOn(of(t)?),
-            E::LieOn(t) => E::LieOn(of(t)?),
-            E::StandUp => E::StandUp,
-            E::PourInto(t, u) => E::PourInto(of(t)?, of(u)?),
-            E::FillWithWater(t) => E::FillWithWater(of(t)?),
-            E::PutOnBody(t) => E::PutOnBody(of(t)?),
-            E::Board(t) => E::Board(of(t)?),
-            E::Alight => E::Alight,
-            E::DriveTo(t, u) => E::DriveTo(of(t)?, of(u)?),
-            E::GoToPoint(aim) => E::GoToPoint(aim),
-            E::StandAs(aim) => E::StandAs(aim),
-            E::TurnAs(aim) => E::TurnAs(aim),
-            E::PoseAs(t, aim) => E::PoseAs(of(t)?, aim),
-        })
-    }
-}
+forms! { Effect, "effect" {
+    Enter = "enter" { 0: thing, 1: state };
+    EnterWith = "enter_with" { 0: thing, 1: state };
+    EnterOwn = "enter_own" { 0: state };
+    LeaveOwn = "leave_own" { 0: state };
+    GoTo = "go_to" { 0: thing };
+    Approach = "approach" { 0: thing };
+    Face = "face" { 0: thing };
+    Hold = "hold" { 0: thing };
+    PutOn = "put_on" { 0: thing, 1: other };
+    PutInto = "put_into" { 0: thing, 1: other };
+    PutWhereItWas = "put_where_it_was" { 0: thing };
+    LetGo = "let_go" { 0: thing };
+    SitOn = "sit_on" { 0: thing };
+    LieOn = "lie_on" { 0: thing };
+    StandUp = "stand_up" {};
+    PourInto = "pour_into" { 0: thing, 1: other };
+    FillWithWater = "fill_with_water" { 0: thing };
+    PutOnBody = "put_on_body" { 0: thing };
+    Board = "board" { 0: thing };
+    Alight = "alight" {};
+    DriveTo = "drive_to" { 0: thing, 1: other };
+    GoToPoint = "go_to_point" { 0: aim };
+    StandAs = "stand_as" { 0: aim };
+    TurnAs = "turn_as" { 0: aim };
+    PoseAs = "pose_as" { 0: thing, 1: aim };
+}}

@@ -1,18 +1,17 @@
 //! All actions that an agent can perform in a state.
 
 use std::cmp::Reverse;
-use std::sync::LazyLock;
 
 use crate::rule::check::{NoReason, judge_of};
 use crate::rule::condition::Condition;
 use crate::rule::effect::Argument;
 use crate::rule::judge::Judge;
-use crate::rule::table::RULES;
+use crate::rule::table::ActionRule;
 use crate::vocabulary::{Set, Word};
 use crate::{Action, Node, NodeId, SceneGraph, Verb};
 
 /// All actions that an agent can perform now: those without [`refusals`](super::refusals), of every verb with
-/// every object. They are ordered by verb, then by the numbers of the objects.
+/// every object. They are ordered by verb, own verbs last by name, then by the numbers of the objects.
 ///
 /// Each precondition is checked once per object for all verbs that share it, and only while a verb still
 /// depends on it: some tens of microseconds for a home.
@@ -37,16 +36,18 @@ pub fn legal_actions(graph: &SceneGraph, agent: NodeId) -> Vec<Action> {
 /// the order of the given objects.
 pub fn legal_actions_with(graph: &SceneGraph, agent: NodeId, things: &[NodeId]) -> Vec<Action> {
     let Some(now) = judge_of(graph, agent) else { return Vec::new() };
-    let verbs = NEEDS.of_agent.iter().fold(Verbs::from_words(Verb::ALL), |verbs, (need, having)| {
+    let words = graph.vocabulary();
+    let needs = words.shared_needs();
+    let verbs = needs.of_agent.iter().fold(needs.verbs, |verbs, (need, having)| {
         if need.ground(&NOTHING).is_some_and(|need| now.meets(&need)) { verbs } else { verbs.minus(*having) }
     });
-    let open = Open::new(&now, verbs, things);
+    let open = Open::new(&now, needs, verbs, things);
     let mut found = Vec::with_capacity(open.first.iter().map(Vec::len).sum());
-    for verb in verbs.iter() {
-        match verb.arity() {
-            0 => found.push(Action::zero(verb)),
-            1 => found.extend(open.first[verb.index()].iter().map(|&id| Action::one(verb, id))),
-            _ => found.extend(open.pairs(&now, verb)),
+    for rule in words.rules().filter(|rule| verbs.contains(rule.verb)) {
+        match rule.arity {
+            0 => found.push(Action::zero(rule.verb)),
+            1 => found.extend(open.first[rule.verb.index()].iter().map(|&id| Action::one(rule.verb, id))),
+            _ => found.extend(open.pairs(&now, rule)),
         }
     }
     found
@@ -63,9 +64,12 @@ struct OfThing {
     second: Verbs,
 }
 
-/// The preconditions of the verbs, each once; those on two objects at once are left out.
+/// The preconditions of a vocabulary's verbs, each once; those on two objects at once are left out.
 #[derive(Default)]
-struct Needs {
+pub(crate) struct Needs {
+    verbs: Verbs,
+    /// The number of places in a list by the indices of verbs.
+    places: usize,
     of_agent: Vec<(Condition<Argument>, Verbs)>,
     without_first: Verbs,
     without_second: Verbs,
@@ -73,8 +77,6 @@ struct Needs {
     of_node: Vec<OfThing>,
     of_thing: Vec<OfThing>,
 }
-
-static NEEDS: LazyLock<Needs> = LazyLock::new(Needs::read);
 
 /// An action without objects, for grounding preconditions on the agent alone.
 const NOTHING: Action = Action::zero(Verb::Dance);
@@ -91,11 +93,12 @@ fn is_of_two(need: Condition<Argument>) -> bool {
 }
 
 impl Needs {
-    fn read() -> Self {
-        let below = |arity: usize| Verb::ALL.iter().copied().filter(|v| v.arity() < arity).collect::<Vec<Verb>>();
-        let (without_first, without_second) = (Verbs::from_words(&below(1)), Verbs::from_words(&below(2)));
-        let mut needs = Self { without_first, without_second, ..Self::default() };
-        for (need, verb) in RULES.iter().flat_map(|rule| rule.preconditions.iter().map(|need| (*need, rule.verb))) {
+    pub(crate) fn read<'r, R: Iterator<Item = &'r ActionRule>>(rules: impl Fn() -> R) -> Self {
+        let verbs = |below: usize| rules().filter(|rule| rule.arity < below).map(|rule| rule.verb).collect::<Verbs>();
+        let places = rules().map(|rule| rule.verb.index() + 1).max().unwrap_or(0);
+        let (without_first, without_second) = (verbs(1), verbs(2));
+        let mut needs = Self { verbs: verbs(usize::MAX), places, without_first, without_second, ..Self::default() };
+        for (need, verb) in rules().flat_map(|rule| rule.preconditions.iter().map(|need| (*need, rule.verb))) {
             match need.ground(&NOTHING) {
                 Some(_) => needs.note_of_agent(need, verb),
                 None if is_of_two(need) => {}
@@ -136,11 +139,11 @@ struct Open {
 }
 
 impl Open {
-    fn new(now: &Judge<'_, NoReason>, verbs: Verbs, things: &[NodeId]) -> Self {
-        let none = || vec![Vec::new(); Verb::ALL.len()];
+    fn new(now: &Judge<'_, NoReason>, needs: &Needs, verbs: Verbs, things: &[NodeId]) -> Self {
+        let none = || vec![Vec::new(); needs.places];
         let mut open = Self { first: none(), second: none() };
         for node in things.iter().filter_map(|id| now.graph.node(*id)) {
-            let (first, second) = open_to(now, verbs, node);
+            let (first, second) = open_to(now, needs, verbs, node);
             first.iter().for_each(|verb| open.first[verb.index()].push(node.id()));
             second.iter().for_each(|verb| open.second[verb.index()].push(node.id()));
         }
@@ -148,8 +151,8 @@ impl Open {
     }
 
     /// The actions of a verb with two objects.
-    fn pairs<'a>(&'a self, now: &'a Judge<'_, NoReason>, verb: Verb) -> impl Iterator<Item = Action> + 'a {
-        let needs = verb.rule().preconditions.iter();
+    fn pairs<'a>(&'a self, now: &'a Judge<'_, NoReason>, rule: &ActionRule) -> impl Iterator<Item = Action> + 'a {
+        let (verb, needs) = (rule.verb, rule.preconditions.iter());
         let of_two: Vec<Condition<Argument>> = needs.filter(|need| is_of_two(**need)).copied().collect();
         let met = move |a: &Action| of_two.iter().filter_map(|need| need.ground(a)).all(|need| now.meets(&need));
         let seconds = &self.second[verb.index()];
@@ -160,15 +163,15 @@ impl Open {
 
 /// The verbs that can have an object as their first and as their second. Each precondition is checked at most
 /// once, and not at all if no remaining verb depends on it.
-fn open_to(now: &Judge<'_, NoReason>, verbs: Verbs, node: &Node) -> (Verbs, Verbs) {
+fn open_to(now: &Judge<'_, NoReason>, needs: &Needs, verbs: Verbs, node: &Node) -> (Verbs, Verbs) {
     let thing = both(node.id());
-    let (mut first, mut second) = (verbs.minus(NEEDS.without_first), verbs.minus(NEEDS.without_second));
-    for of in &NEEDS.of_node {
+    let (mut first, mut second) = (verbs.minus(needs.without_first), verbs.minus(needs.without_second));
+    for of in &needs.of_node {
         if !is_met_by(node, of.need) {
             (first, second) = (first.minus(of.first), second.minus(of.second));
         }
     }
-    for of in &NEEDS.of_thing {
+    for of in &needs.of_thing {
         let matters = first.intersects(of.first) || second.intersects(of.second);
         if matters && !of.need.ground(&thing).is_some_and(|need| now.meets(&need)) {
             (first, second) = (first.minus(of.first), second.minus(of.second));

@@ -36,6 +36,8 @@
 //! take which; an aim is then a parameter that the rule judges by poses and boxes, as far as the scene has them. In a
 //! scene without poses a point for a thing changes nothing.
 //!
+//! A scene may have verbs of its own: rows like those of the table, from its [`Vocabulary`].
+//!
 //! The verdicts of VirtualHome's simulator instead of these are in [`virtual_home`].
 
 mod aim;
@@ -45,6 +47,7 @@ pub mod effect;
 mod fit;
 mod judge;
 mod legal;
+mod motion;
 mod perform;
 pub mod refusal;
 pub mod regress;
@@ -54,41 +57,47 @@ pub mod virtual_home;
 pub use aim::{AimForm, AimRule, Aimed};
 pub use condition::Condition;
 pub use effect::{Argument, Effect};
+pub(crate) use legal::Needs;
 pub use legal::{legal_actions, legal_actions_with};
+pub use motion::Motion;
 pub use refusal::Refusal;
 pub use table::ActionRule;
 pub(crate) use virtual_home::Memory;
 pub use virtual_home::Semantics;
 
-use crate::{Action, ChangeSet, EditError, NodeId, SceneGraph};
+use crate::{Action, ChangeSet, EditError, NodeId, SceneGraph, Vocabulary};
 
-/// The preconditions of an agent's action, as conditions on the graph.
+/// The preconditions of an agent's action by a vocabulary, as conditions on the graph; none for a verb that it lacks.
 ///
 /// ```
-/// use vc_graph::{Action, Condition, NodeId, Verb, rule};
-/// let needs = rule::preconditions(&Action::one(Verb::Grab, NodeId(12)));
+/// use vc_graph::{Action, Condition, NodeId, Verb, Vocabulary, rule};
+/// let needs = rule::preconditions(&Vocabulary::builtin(), &Action::one(Verb::Grab, NodeId(12)));
 /// assert!(needs.contains(&Condition::FreeHandOrHolding(NodeId(12))));
 /// assert!(needs.contains(&Condition::Near(NodeId(12))));
 /// ```
-pub fn preconditions(action: &Action) -> Vec<Condition> {
-    action.verb.rule().preconditions.iter().filter_map(|c| c.ground(action)).collect()
+pub fn preconditions(words: &Vocabulary, action: &Action) -> Vec<Condition> {
+    grounded_needs(words, action).collect()
 }
 
-/// The effects of an agent's action, without carrying them out.
+fn grounded_needs(words: &Vocabulary, action: &Action) -> impl Iterator<Item = Condition> {
+    let rule = words.rule(action.verb);
+    rule.into_iter().flat_map(|rule| rule.preconditions.iter()).filter_map(|need| need.ground(action))
+}
+
+/// The effects of an agent's action by a vocabulary, without carrying them out; none for a verb that it lacks.
 ///
 /// ```
-/// use vc_graph::{Effect, rule};
-/// let effects = rule::effects(&"open fridge.2".parse()?);
+/// use vc_graph::{Effect, Vocabulary, rule};
+/// let effects = rule::effects(&Vocabulary::builtin(), &"open fridge.2".parse()?);
 /// assert!(!effects.is_empty());
 /// # Ok::<(), vc_graph::ActionTextError>(())
 /// ```
-pub fn effects(action: &Action) -> Vec<Effect<NodeId>> {
-    grounded_effects(action).collect()
-}
-
-fn grounded_effects(action: &Action) -> impl Iterator<Item = Effect<NodeId>> {
-    let rule = action.verb.rule();
-    rule.effects.iter().filter_map(|e| e.ground(action)).chain(rule.aims.effects(action))
+pub fn effects(words: &Vocabulary, action: &Action) -> Vec<Effect<NodeId>> {
+    let rule = words.rule(action.verb);
+    let own = |rule: &ActionRule| -> Vec<Effect<NodeId>> {
+        rule.effects.iter().filter_map(|e| e.ground(action)).chain(rule.aims.effects(action)).collect()
+    };
+    rule.map(own).unwrap_or_default()
 }
 
 /// Every reason why an agent cannot perform an action now; empty if it can.
@@ -110,8 +119,7 @@ pub fn refusals(graph: &SceneGraph, agent: NodeId, action: &Action) -> Vec<Refus
     if let Some(refusal) = check::check_things(graph, agent, action) {
         return vec![refusal];
     }
-    let needs = action.verb.rule().preconditions.iter().filter_map(|c| c.ground(action));
-    let unmet = needs.filter_map(|c| c.check(graph, agent).err());
+    let unmet = grounded_needs(graph.vocabulary(), action).filter_map(|c| c.check(graph, agent).err());
     unmet.chain(aim::refusals(graph, agent, action)).collect()
 }
 
@@ -130,7 +138,7 @@ pub fn refusals(graph: &SceneGraph, agent: NodeId, action: &Action) -> Vec<Refus
 /// # Ok::<(), vc_graph::EditError>(())
 /// ```
 pub fn allows(graph: &SceneGraph, agent: NodeId, action: &Action) -> bool {
-    let mut needs = action.verb.rule().preconditions.iter().filter_map(|c| c.ground(action));
+    let mut needs = grounded_needs(graph.vocabulary(), action);
     check::check_things(graph, agent, action).is_none()
         && needs.all(|need| need.holds(graph, agent))
         && aim::refusals(graph, agent, action).is_empty()
@@ -163,8 +171,9 @@ pub fn step(graph: &mut SceneGraph, agent: NodeId, action: &Action) -> Result<Ch
     if !refusals.is_empty() {
         return Err(refusals);
     }
+    let effects = effects(graph.vocabulary(), action);
     let mut edit = graph.edit();
-    for effect in grounded_effects(action) {
+    for effect in effects {
         perform::carry_out(&mut edit, agent, effect).map_err(|e| vec![Refusal::Edit(e)])?;
     }
     Ok(edit.commit())

@@ -10,6 +10,9 @@ pub enum Refusal {
     /// The object does not exist.
     #[error("there is no node {0} in this scene")]
     NoSuchThing(NodeId),
+    /// The verb is another scene's own.
+    #[error("this scene has no verb `{0}`: declare it in the scene's vocabulary")]
+    NoSuchVerb(Verb),
     /// The text of the action gives the object another name.
     #[error("{0} is not what the action calls it; write the class and the number of one thing")]
     Misnamed(Label),

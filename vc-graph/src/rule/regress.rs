@@ -4,7 +4,7 @@ use crate::rule::check::origin;
 use crate::rule::condition::Condition;
 use crate::rule::effect::{Argument, Effect};
 use crate::rule::preconditions;
-use crate::rule::table::RULES;
+use crate::rule::table::ActionRule;
 use crate::{Action, NodeId, Place, Property, Relation, SceneGraph, State, Verb};
 
 /// Actions whose effects make a condition true for an agent, those with the fewest unmet preconditions first.
@@ -26,7 +26,7 @@ use crate::{Action, NodeId, Place, Property, Relation, SceneGraph, State, Verb};
 /// ```
 pub fn achievers(graph: &SceneGraph, agent: NodeId, condition: &Condition) -> Vec<Action> {
     let mut found = candidates(graph, agent, condition);
-    let unmet = |a: &Action| preconditions(a).iter().filter(|c| !c.holds(graph, agent)).count();
+    let unmet = |a: &Action| preconditions(graph.vocabulary(), a).iter().filter(|c| !c.holds(graph, agent)).count();
     // Dropping has the fewest preconditions, but putting down is preferred.
     let with_manners = matches!(condition, Condition::FreeHand | Condition::FreeHandOrHolding(_));
     if found.len() > 1 && found.len() < MANY && !with_manners {
@@ -71,33 +71,64 @@ fn candidates(graph: &SceneGraph, agent: NodeId, condition: &Condition) -> Vec<A
         Condition::Related(id, Relation::Inside | Relation::InRoom, room) if graph.rooms().contains(&room) => {
             into_room(graph, agent, id, room)
         }
-        _ => RULES.iter().filter_map(|rule| by_effect(graph, agent, rule.verb, condition)).collect(),
+        _ => graph.vocabulary().rules().filter_map(|rule| by_effect(graph, agent, rule, condition)).collect(),
     }
 }
 
-/// The action of a verb that has an effect which makes the condition true.
-fn by_effect(graph: &SceneGraph, agent: NodeId, verb: Verb, condition: &Condition) -> Option<Action> {
-    let bound = verb.rule().effects.iter().find_map(|e| binding(*e, condition, agent))?;
+/// The action of a verb that has an effect which makes the condition true. An object about which the condition says
+/// nothing is the likeliest: the tap for a glass, the rag for a table.
+fn by_effect(graph: &SceneGraph, agent: NodeId, rule: &ActionRule, condition: &Condition) -> Option<Action> {
+    let bound = rule.effects.iter().find_map(|e| binding(graph, *e, condition, agent))?;
     let action = match bound {
-        Bound::Nothing => Action::zero(verb),
-        Bound::One(Argument::X, id) => Action::one(verb, id),
-        Bound::One(Argument::Y, _) => return None,
-        Bound::Two(id, at) => Action::two(verb, id, at),
+        Bound::Nothing => Action::zero(rule.verb),
+        Bound::One(Argument::X, id) => Action::one(rule.verb, id),
+        Bound::One(Argument::Y, id) => Action { target: Some(id), ..Action::zero(rule.verb) },
+        Bound::Two(id, at) => Action::two(rule.verb, id, at),
     };
-    let target = match (verb, verb.arity(), action.target) {
-        (Verb::Fill, _, None) => running_water(graph),
-        (_, 2, None) => return None,
-        _ => action.target,
+    let object = match action.object {
+        None if rule.arity > 0 => {
+            Some(likeliest(graph, agent, rule, &action, |id| Action { object: Some(id), ..action })?)
+        }
+        object => object,
     };
-    Action::with(verb, &action.object.into_iter().chain(target).collect::<Vec<_>>()).ok()
+    let action = Action { object, ..action };
+    let target = match action.target {
+        None if rule.arity > 1 => {
+            Some(likeliest(graph, agent, rule, &action, |id| Action { target: Some(id), ..action })?)
+        }
+        target => target,
+    };
+    Some(Action { target, ..action })
 }
 
-fn running_water(graph: &SceneGraph) -> Option<NodeId> {
-    let sources = |on: bool| {
-        let fits = move |n: &&crate::Node| n.affords(Property::WaterSource) && n.is(State::On) == on;
-        graph.nodes().find(fits).map(crate::Node::id)
+/// The object for a free role of an action: one that fits for good, with the fewest unmet preconditions besides
+/// nearness; of several to be held, the nearest.
+fn likeliest(
+    graph: &SceneGraph,
+    agent: NodeId,
+    rule: &ActionRule,
+    action: &Action,
+    with: impl Fn(NodeId) -> Action,
+) -> Option<NodeId> {
+    // Preconditions on the free role alone.
+    let needs: Vec<_> = rule.preconditions.iter().filter(|need| need.ground(action).is_none()).collect();
+    let room = graph.room_of(agent);
+    let cost = |id: NodeId| {
+        let action = with(id);
+        let needs = || needs.iter().filter_map(|need| need.ground(&action));
+        let lasting = needs().filter(Condition::is_lasting).all(|need| need.holds(graph, agent));
+        let held = needs().any(|need| need == Condition::Holding(id));
+        let fits = lasting && (!held || Condition::Graspable(id).holds(graph, agent)) && !action_repeats(&action);
+        let unmet = || needs().filter(|need| !matches!(need, Condition::Near(_)) && !need.holds(graph, agent)).count();
+        let far = || (!graph.near(agent, id), graph.room_of(id) != room, graph.hidden_in(id).is_some());
+        fits.then(|| (unmet(), if held { far() } else { Default::default() }, id))
     };
-    sources(true).or_else(|| sources(false))
+    graph.nodes().filter_map(|node| cost(node.id())).min().map(|(.., id)| id)
+}
+
+/// Whether an action names a thing twice.
+fn action_repeats(action: &Action) -> bool {
+    action.object.is_some() && action.object == action.target
 }
 
 enum Bound {
@@ -107,13 +138,13 @@ enum Bound {
 }
 
 /// The assignment of an effect's roles with which it makes a condition true.
-fn binding(effect: Effect<Argument>, condition: &Condition, agent: NodeId) -> Option<Bound> {
+fn binding(graph: &SceneGraph, effect: Effect<Argument>, condition: &Condition, agent: NodeId) -> Option<Bound> {
     use Bound::{Nothing, One, Two};
     use Condition as C;
     match (effect, *condition) {
         (Effect::Enter(role, s) | Effect::EnterWith(role, s), C::In(id, wanted)) if s == wanted => Some(One(role, id)),
         (Effect::Enter(role, s) | Effect::EnterWith(role, s), C::NotIn(id, unwanted))
-            if s.opposites().contains(unwanted) =>
+            if graph.vocabulary().opposites(s).contains(unwanted) =>
         {
             Some(One(role, id))
         }

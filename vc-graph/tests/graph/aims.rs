@@ -3,9 +3,10 @@
 
 use proptest::prelude::*;
 use vc_graph::format::program::{self, Program};
+use vc_graph::rule::table::RULES;
 use vc_graph::{
     Action, ActionTextError, Aim, AimError, AimPart, AimPoint, Bounds, Draft, Effect, Heading, NodeId, Pose, Refusal,
-    Relation, SceneBuilder, SceneGraph, Semantics, Side, Simulator, Verb, Word, rule,
+    Relation, SceneBuilder, SceneGraph, Semantics, Side, Simulator, Verb, Vocabulary, Word, rule,
 };
 use vc_testkit::cases;
 use vc_testkit::goals::words;
@@ -34,7 +35,7 @@ fn aim() -> impl Strategy<Value = Aim> {
 
 fn action() -> impl Strategy<Value = Action> {
     (words::<Verb>(), any::<u32>(), any::<u32>(), aim()).prop_map(|(verb, x, y, aim)| {
-        let alone = verb.rule().aims.stands_for_object(&aim) && x % 2 == 0;
+        let alone = RULES[verb.index()].aims.stands_for_object(&aim) && x % 2 == 0;
         let things = if alone { 0 } else { verb.arity() };
         Action::with_aim(verb, &[NodeId(x), NodeId(y)][..things], aim).unwrap()
     })
@@ -219,14 +220,14 @@ fn verbs_take_their_aims() {
         let action = home.action(&format!("{verb}{things} {aim}"));
         let told = rule::refusals(&home.graph, home.me, &action);
         let takes =
-            verb.rule().aims.forms.iter().any(|form| {
+            RULES[verb.index()].aims.forms.iter().any(|form| {
                 !form.alone && form.words.iter().copied().collect::<vc_graph::Set<_>>() == action.aim.words()
             });
         assert_eq!(!told.iter().any(|why| matches!(why, Refusal::Aim { .. })), takes, "{action}: {told:?}");
     }
     let told = rule::refusals(&home.graph, home.me, &home.action("sit sofa yaw 90"));
     assert_eq!(told[0].to_string(), "`sit` takes `sit THING seat N`, not `yaw 90`");
-    assert!(Verb::Walk.rule().aims.texts(Verb::Walk).contains(&"walk at X Y [Z] yaw DEGREES".to_owned()));
+    assert!(RULES[Verb::Walk.index()].aims.texts(Verb::Walk).contains(&"walk at X Y [Z] yaw DEGREES".to_owned()));
     let told = rule::refusals(&home.graph, home.me, &home.action("eat cup at 1 2"));
     assert_eq!(told[0].to_string(), "`eat` takes no point, heading, seat, slot or side: leave `at 1.00 2.00` out");
 }
@@ -250,7 +251,7 @@ fn one_goes_to_a_point_and_turns() {
     assert!(home.graph.near(home.me, home.table));
     home.done("walk kitchen at 3.5 3.5");
     home.is_at(home.me, (3.5, 3.5), 90.0);
-    let all = rule::effects(&home.action("point_at at 1 1"));
+    let all = rule::effects(&Vocabulary::builtin(), &home.action("point_at at 1 1"));
     assert!(matches!(all[..], [Effect::TurnAs(_)]));
 }
 

@@ -150,10 +150,16 @@ fn start_states_exclude_nothing_and_fit_what_can_be_done() {
 
 #[test]
 fn things_are_kept_on_surfaces_and_in_containers() {
-    use Property::{Container, Drivable, Heater, Lieable, Openable, Recipient, Sittable, Surface};
     let table = ClassTable::builtin();
-    let carry = [Surface, Sittable, Lieable, Container, Recipient, Heater];
-    let enclose = [Container, Recipient, Openable, Drivable];
+    let carry = [
+        Property::Surface,
+        Property::Sittable,
+        Property::Lieable,
+        Property::Container,
+        Property::Recipient,
+        Property::Heater,
+    ];
+    let enclose = [Property::Container, Property::Recipient, Property::Openable, Property::Drivable];
     let mut wrong = Vec::new();
     for class in table.iter() {
         for kept in &class.kept {

@@ -37,31 +37,30 @@ fn thing_in(thing: (&str, &[State]), place: Option<(&str, &[State])>) -> (SceneG
 
 #[test]
 fn things_change_by_themselves_in_their_time() {
-    use State::{Cold, Filled, Frozen, Hot, Off, On, Raw, Wet};
     type Case<'a> = ((&'a str, &'a [State]), Option<(&'a str, &'a [State])>, &'a str);
     let cases: [Case<'_>; 22] = [
-        (("soup", &[Hot]), None, "cooling 40 min"),
-        (("sandwich", &[Hot]), None, "cooling 30 min"),
-        (("mug", &[Hot]), None, "cooling 20 min"),
-        (("thermos", &[Hot]), None, "cooling 720 min"),
-        (("mug", &[Hot]), Some(("microwave", &[On])), ""),
-        (("mug", &[]), Some(("microwave", &[On])), "heating 2 min"),
-        (("mug", &[]), Some(("microwave", &[Off])), ""),
+        (("soup", &[State::Hot]), None, "cooling 40 min"),
+        (("sandwich", &[State::Hot]), None, "cooling 30 min"),
+        (("mug", &[State::Hot]), None, "cooling 20 min"),
+        (("thermos", &[State::Hot]), None, "cooling 720 min"),
+        (("mug", &[State::Hot]), Some(("microwave", &[State::On])), ""),
+        (("mug", &[]), Some(("microwave", &[State::On])), "heating 2 min"),
+        (("mug", &[]), Some(("microwave", &[State::Off])), ""),
         (("ice", &[]), None, "warming 60 min, melting 45 min"),
-        (("ice_cream", &[]), Some(("freezer", &[On])), "freezing 240 min"),
-        (("juice", &[]), Some(("fridge", &[On])), "chilling 180 min"),
+        (("ice_cream", &[]), Some(("freezer", &[State::On])), "freezing 240 min"),
+        (("juice", &[]), Some(("fridge", &[State::On])), "chilling 180 min"),
         (("juice", &[]), Some(("fridge", &[])), ""),
-        (("cake", &[Frozen]), Some(("fridge", &[On, Cold])), "chilling 120 min, thawing 1440 min"),
-        (("cake", &[Frozen, Cold]), Some(("freezer", &[On])), ""),
-        (("apple", &[Raw]), Some(("oven", &[On])), "heating 15 min, cooking 30 min"),
-        (("egg", &[Raw]), Some(("microwave", &[On])), "heating 2 min, cooking 5 min"),
-        (("pizza", &[Raw]), Some(("pizza_oven", &[On])), "heating 15 min, cooking 3 min"),
-        (("shirt", &[Wet]), None, "drying 720 min"),
-        (("shirt", &[Wet]), Some(("clothesline", &[])), "drying 360 min"),
-        (("shirt", &[Wet]), Some(("washing_machine", &[])), ""),
-        (("kettle", &[On]), None, ""),
-        (("kettle", &[On, Filled]), None, "boiling 4.5 min"),
-        (("tealight", &[On]), None, "burning 240 min"),
+        (("cake", &[State::Frozen]), Some(("fridge", &[State::On, State::Cold])), "chilling 120 min, thawing 1440 min"),
+        (("cake", &[State::Frozen, State::Cold]), Some(("freezer", &[State::On])), ""),
+        (("apple", &[State::Raw]), Some(("oven", &[State::On])), "heating 15 min, cooking 30 min"),
+        (("egg", &[State::Raw]), Some(("microwave", &[State::On])), "heating 2 min, cooking 5 min"),
+        (("pizza", &[State::Raw]), Some(("pizza_oven", &[State::On])), "heating 15 min, cooking 3 min"),
+        (("shirt", &[State::Wet]), None, "drying 720 min"),
+        (("shirt", &[State::Wet]), Some(("clothesline", &[])), "drying 360 min"),
+        (("shirt", &[State::Wet]), Some(("washing_machine", &[])), ""),
+        (("kettle", &[State::On]), None, ""),
+        (("kettle", &[State::On, State::Filled]), None, "boiling 4.5 min"),
+        (("tealight", &[State::On]), None, "burning 240 min"),
     ];
     for (thing, place, expected) in cases {
         let (graph, id) = thing_in(thing, place);

@@ -15,6 +15,7 @@ mod goals;
 mod hostile;
 mod mesh;
 mod odd_files;
+mod own_words;
 mod queries;
 mod reader_errors;
 mod readers;

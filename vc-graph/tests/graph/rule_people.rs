@@ -1,7 +1,7 @@
 //! People and objects: hands, seats, trays, vehicles.
 #![allow(clippy::unwrap_used)]
 
-use vc_graph::{Place, Relation, State};
+use vc_graph::{Place, Relation, State, Verb};
 use vc_testkit::flat::{Flat, plain};
 
 fn why(flat: &mut Flat, action: &str) -> String {
@@ -180,14 +180,17 @@ fn leaving_ends_nearness_of_what_is_on_the_tray() {
 /// One goes to others, pushes, greets and plays with others, not with oneself.
 #[test]
 fn nobody_greets_pushes_or_plays_oneself() {
-    use vc_graph::Verb::{Find, Greet, Play, Push, Run, TurnTo, Walk};
     let mut flat = Flat::new();
     let (me, other) = (flat.me, flat.other);
     flat.all(&["walk kitchen"]);
     let legal = vc_graph::rule::legal_actions(flat.graph(), me);
     let verbs = |id| legal.iter().filter(|a| a.object == Some(id)).map(|a| a.verb).collect::<Vec<_>>();
-    let social = [Walk, Run, Find, TurnTo, Greet, Play, Push];
+    let social = [Verb::Walk, Verb::Run, Verb::Find, Verb::TurnTo, Verb::Greet, Verb::Play, Verb::Push];
     assert!(social.iter().all(|verb| !verbs(me).contains(verb)), "{:?}", verbs(me));
-    assert!([Walk, Find, TurnTo, Greet].iter().all(|verb| verbs(other).contains(verb)), "{:?}", verbs(other));
+    assert!(
+        [Verb::Walk, Verb::Find, Verb::TurnTo, Verb::Greet].iter().all(|verb| verbs(other).contains(verb)),
+        "{:?}",
+        verbs(other)
+    );
     assert_eq!(why(&mut flat, "greet me"), "character is oneself");
 }

@@ -132,7 +132,8 @@ fn promises(flat: &Flat, agent: NodeId) -> Result<(), TestCaseError> {
             continue;
         }
         for action in achievers(flat.graph(), agent, &want) {
-            let possible = preconditions(&action).iter().all(|c| c.holds(flat.graph(), agent));
+            let possible =
+                preconditions(flat.graph().vocabulary(), &action).iter().all(|c| c.holds(flat.graph(), agent));
             prop_assert_eq!(possible, refusals(flat.graph(), agent, &action).is_empty());
             let mut graph = flat.graph().clone();
             if possible && step(&mut graph, agent, &action).is_ok() {

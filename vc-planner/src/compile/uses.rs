@@ -89,7 +89,7 @@ impl Compiler<'_> {
     /// Whether an action requires no more than being at the thing.
     fn is_simple(&self, action: &Action) -> bool {
         let (graph, me) = (self.now.graph, self.now.agent);
-        rule::preconditions(action).iter().all(|c| match c {
+        rule::preconditions(graph.vocabulary(), action).iter().all(|c| match c {
             Condition::Near(_) | Condition::Accessible(_) => true,
             c if c.is_lasting() => c.holds(graph, me),
             Condition::In(..) | Condition::NotIn(..) => c.holds(graph, me),
@@ -119,7 +119,7 @@ impl Compiler<'_> {
             return Ok(());
         }
         let free = |id: &&NodeId| {
-            let all = rule::preconditions(&Action::one(verb, **id));
+            let all = rule::preconditions(graph.vocabulary(), &Action::one(verb, **id));
             all.iter().all(|c| matches!(c, Condition::Near(_) | Condition::Accessible(_)) || c.holds(graph, me))
         };
         let seats = demand.things[1].iter().filter(|id| self.is_located(**id)).filter(free);
@@ -146,7 +146,7 @@ impl Compiler<'_> {
     pub(super) fn done_action(&mut self, demand: &Demand<'_>, short: usize, verb: Verb) -> Result<()> {
         let (graph, me) = (self.now.graph, self.now.agent);
         if verb.arity() == 0 {
-            let free = rule::preconditions(&Action::zero(verb)).is_empty();
+            let free = rule::preconditions(graph.vocabulary(), &Action::zero(verb)).is_empty();
             let way = free.then(|| self.use_way(verb, None)).flatten();
             return self.use_need(demand, 1, way.into_iter().collect());
         }
@@ -156,13 +156,14 @@ impl Compiler<'_> {
         }
         let action = |id| Action::one(verb, id);
         let lasting = |id: &NodeId| {
-            rule::preconditions(&action(*id)).iter().filter(|c| c.is_lasting()).all(|c| c.holds(graph, me))
+            let needs = rule::preconditions(graph.vocabulary(), &action(*id));
+            needs.iter().filter(|c| c.is_lasting()).all(|c| c.holds(graph, me))
         };
         let fit: Vec<NodeId> = demand.subjects().iter().copied().filter(lasting).collect();
         if fit.is_empty() {
             return Err(Unreachable::NotAfforded(demand.part.to_string()));
         }
-        let needs = rule::preconditions(&action(fit[0]));
+        let needs = rule::preconditions(graph.vocabulary(), &action(fit[0]));
         let held = needs.iter().any(|c| matches!(c, Condition::Holding(_)));
         if held && needs.iter().all(|c| c.is_lasting() || matches!(c, Condition::Holding(_))) {
             let narrowed = Demand { things: [SmallList::Many(fit), SmallList::NONE], ..demand.clone() };

@@ -59,7 +59,8 @@ impl View<'_> {
                 vec![OpenCondition::Hold(Condition::Upright)]
             }
             (Predicate::State(state), [Some(id), _]) => {
-                state.opposites().iter().map(|s| OpenCondition::Hold(Condition::In(id, s))).collect()
+                let opposites = self.graph().vocabulary().opposites(state);
+                opposites.iter().map(|s| OpenCondition::Hold(Condition::In(id, s))).collect()
             }
             (Predicate::Holds, [_, Some(id)]) => vec![OpenCondition::Do(Action::one(Verb::Drop, id))],
             (Predicate::Relation(relation), [Some(from), Some(to)]) => match relation {

@@ -128,7 +128,7 @@ impl View<'_> {
             let id = node.id();
             let second = Action { target: Some(id), ..Action::zero(verb) };
             let probe = if position == 0 { Action::one(verb, id) } else { second };
-            let needs = vc_graph::rule::preconditions(&probe);
+            let needs = vc_graph::rule::preconditions(self.graph().vocabulary(), &probe);
             needs.iter().filter(|c| c.is_lasting()).all(|c| c.holds(self.graph(), self.now.agent))
         };
         self.graph().nodes().filter(|n| n.kind() == vc_graph::NodeKind::Object).filter(fits).map(Node::id).collect()

@@ -109,7 +109,8 @@ fn actions_about(scene: &SceneGraph, text: &str) -> Vec<Action> {
     things.sort_unstable();
     things.dedup();
     // Actions such as looking change nothing, so they are left out unless the goal names them.
-    let idle = |verb: Verb| !verb.rule().effects.iter().any(|e| !matches!(e, Effect::Face(_)));
+    let idle =
+        |verb: Verb| !scene.vocabulary().rule(verb).unwrap().effects.iter().any(|e| !matches!(e, Effect::Face(_)));
     let named = |verb: Verb| text.contains(&format!("{verb:?}("));
     let useful = |verb: &Verb| *verb != Verb::Run && *verb != Verb::Find && (named(*verb) || !idle(*verb));
     let turn = text.contains("Facing(").then_some(Verb::TurnTo);
@@ -123,7 +124,9 @@ fn actions_about(scene: &SceneGraph, text: &str) -> Vec<Action> {
         }
     }
     let me = scene.agents()[0];
-    all.retain(|a| rule::preconditions(a).iter().filter(|c| c.is_lasting()).all(|c| c.holds(scene, me)));
+    all.retain(|a| {
+        rule::preconditions(scene.vocabulary(), a).iter().filter(|c| c.is_lasting()).all(|c| c.holds(scene, me))
+    });
     all
 }
 

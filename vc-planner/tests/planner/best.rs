@@ -82,8 +82,12 @@ fn actions(world: &World) -> Vec<Action> {
             all.push(Action::two(Verb::PutIn, item, at));
         }
     }
-    let lasting =
-        |a: &Action| rule::preconditions(a).iter().filter(|c| c.is_lasting()).all(|c| c.holds(&world.scene, world.me));
+    let lasting = |a: &Action| {
+        rule::preconditions(world.scene.vocabulary(), a)
+            .iter()
+            .filter(|c| c.is_lasting())
+            .all(|c| c.holds(&world.scene, world.me))
+    };
     all.retain(lasting);
     all.dedup();
     all

@@ -7,7 +7,7 @@ use vc_graph::class::{Category, Class};
 use vc_graph::goal::{Goal, Situation};
 use vc_graph::{
     AssetLibrary, Bounds, Draft, History, NodeId, NodeKind, ObjectRole, Place, Property, PropertySet, Relation,
-    SceneBuilder, SceneGraph, Seed, State,
+    SceneBuilder, SceneGraph, Seed, State, Vocabulary,
 };
 
 use super::error::{InitialError, PlacementReason};
@@ -186,7 +186,9 @@ impl<'a> Attempt<'a> {
             None => true,
             Some(sites) => sites.iter().any(|site| self.is_at(*id, site)),
         };
-        let able = |id: &NodeId| self.graph.node(*id).is_some_and(|n| allows_all(n.spec().affordances, need));
+        let able = |id: &NodeId| {
+            self.graph.node(*id).is_some_and(|n| allows_all(self.graph.vocabulary(), n.spec().affordances, need))
+        };
         let found = self.graph.of_class(&need.class).into_iter();
         found.filter(|id| able(id) && self.is_reached(*id) && there(id)).collect()
     }
@@ -216,7 +218,9 @@ impl<'a> Attempt<'a> {
         // Any subclass serves for a group of classes.
         let mut kinds: Vec<&Class> = classes.kinds_of(class).filter(|kind| !std::ptr::eq(*kind, class)).collect();
         seed.child("kind").stream().shuffle(&mut kinds);
-        let mut choices = std::iter::once(class).chain(kinds).filter(|kind| allows_all(kind.affordances, need));
+        let mut choices = std::iter::once(class)
+            .chain(kinds)
+            .filter(|kind| allows_all(self.graph.vocabulary(), kind.affordances, need));
         let found = choices.find_map(|kind| Some((kind, self.stock.thing(kind, seed, &self.graph, &mut self.assets)?)));
         let (kind, draft) = found.ok_or_else(missing)?;
         self.place(kind, draft, &need.spots, Purpose::Need, seed)
@@ -365,8 +369,8 @@ impl<'a> Attempt<'a> {
 }
 
 /// Whether these affordances allow all the states that a need asks for.
-fn allows_all(affordances: PropertySet, need: &Need) -> bool {
-    need.states.iter().all(|&state| start::allows(affordances, state))
+fn allows_all(words: &Vocabulary, affordances: PropertySet, need: &Need) -> bool {
+    need.states.iter().all(|&state| start::allows(words, affordances, state))
 }
 
 /// Whether an object may hang out of reach: lamps are switched elsewhere, pictures looked at from

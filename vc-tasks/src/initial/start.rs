@@ -1,7 +1,9 @@
 //! The start conditions: states, and the object that the agent sits on or holds.
 
 use vc_graph::goal::{Goal, Literal, Predicate, Term};
-use vc_graph::{Edit, EditError, NodeId, Place, Property, PropertySet, Relation, SceneGraph, State, StateSet};
+use vc_graph::{
+    Edit, EditError, NodeId, Place, Property, PropertySet, Relation, SceneGraph, State, StateSet, Vocabulary,
+};
 
 /// Makes those parts of a start true that can be set: a state of all objects of a class, or its
 /// negation, and the agent's seat or the object it holds. The other parts are left as they are and
@@ -11,7 +13,7 @@ pub(super) fn bring_about(edit: &mut Edit<'_>, agent: NodeId, start: &Goal) -> R
         Goal::Literal(literal) => establish(edit, agent, literal),
         Goal::Not(part) => match &**part {
             Goal::Literal(Literal { predicate: Predicate::State(state), terms }) => {
-                let opposite = only(state.opposites());
+                let opposite = only(edit.graph().vocabulary().opposites(*state));
                 things(edit.graph(), terms, *state).into_iter().try_for_each(|id| match opposite {
                     Some(opposite) => enter(edit, id, opposite),
                     None => edit.leave_state(id, *state),
@@ -73,12 +75,14 @@ fn things(graph: &SceneGraph, terms: &[Term], state: State) -> Vec<NodeId> {
         [Term::Node(_, id)] => vec![*id],
         _ => Vec::new(),
     };
-    all.into_iter().filter(|&id| graph.node(id).is_some_and(|n| allows(n.spec().affordances, state))).collect()
+    all.into_iter()
+        .filter(|&id| graph.node(id).is_some_and(|n| allows(graph.vocabulary(), n.spec().affordances, state)))
+        .collect()
 }
 
 /// Whether these affordances allow a state at all.
-pub(super) fn allows(affordances: PropertySet, state: State) -> bool {
-    state.needs().is_none_or(|needed| affordances.contains(needed))
+pub(super) fn allows(words: &Vocabulary, affordances: PropertySet, state: State) -> bool {
+    words.needs(state).is_none_or(|needed| affordances.contains(needed))
 }
 
 /// The first part of a start that does not hold; a state of a class without objects counts as

@@ -3,7 +3,7 @@
 use std::collections::{BTreeSet, HashSet};
 
 use vc_graph::goal::{Comparison, Goal, Literal, Predicate, Situation, Term};
-use vc_graph::{ClassTable, History, NodeId, Refusal, SceneGraph, did_you_mean};
+use vc_graph::{ClassTable, History, NodeId, Refusal, SceneGraph, Vocabulary, did_you_mean};
 
 use super::cycle::{first_in_cycle, rests};
 use super::{Finding, FindingKind, LARGEST, satisfiability};
@@ -77,7 +77,7 @@ fn lacking(goal: &Goal, graph: &SceneGraph) -> Vec<Finding> {
     // Unknown classes are findings of their own, and states that nothing brings about are found without a scene, too.
     let is_found_here = |obstacle: &Obstacle| match obstacle {
         Obstacle::UnknownClass { .. } => false,
-        Obstacle::NoAction { state, .. } => brought_about(Predicate::State(*state)),
+        Obstacle::NoAction { state, .. } => !is_beyond_all(Predicate::State(*state)),
         _ => true,
     };
     let obstacles = task.obstacles(graph).into_iter().filter(is_found_here);
@@ -162,6 +162,12 @@ impl Things for Given {
     }
 }
 
+/// Whether nothing brings a predicate about in any scene. For a scene's own states, its vocabulary tells.
+fn is_beyond_all(predicate: Predicate) -> bool {
+    let own = matches!(predicate, Predicate::State(state) if !state.is_builtin());
+    !own && !brought_about(&Vocabulary::builtin(), predicate)
+}
+
 /// A variable and its class.
 type Bound<'g> = (&'g str, Option<&'g str>);
 
@@ -182,7 +188,7 @@ fn check_part<'g>(goal: &'g Goal, bound: &mut Vec<Bound<'g>>, wanted: Option<boo
             found.push(Finding { kind: FindingKind::TrueAtStart, at: None, part: goal.to_string() });
         }
         Goal::Literal(literal) | Goal::Count { literal, .. }
-            if wanted == Some(true) && !brought_about(literal.predicate) =>
+            if wanted == Some(true) && is_beyond_all(literal.predicate) =>
         {
             found.push(Finding { kind: FindingKind::NothingBringsAbout, at: None, part: goal.to_string() });
         }

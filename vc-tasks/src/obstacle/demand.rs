@@ -2,7 +2,7 @@
 
 use vc_graph::clock::ProcessTable;
 use vc_graph::goal::Predicate;
-use vc_graph::{Node, NodeKind, Property, Relation, SceneGraph, State};
+use vc_graph::{Node, NodeKind, Property, Relation, SceneGraph, State, Vocabulary};
 
 /// An ability that a predicate demands of an object.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -52,7 +52,7 @@ impl Demand {
             }
             Self::Person => node.kind() == NodeKind::Agent,
             Self::Enters(state) => {
-                let by_action = by_action(state).is_none_or(|demand| demand.is_met(node, graph));
+                let by_action = by_action(state, graph.vocabulary()).is_none_or(|demand| demand.is_met(node, graph));
                 by_action || ProcessTable::builtin().brings_into(graph, node.id(), state)
             }
             Self::Affords(property) => node.affords(property),
@@ -60,7 +60,7 @@ impl Demand {
     }
 
     /// The property that an object lacks which does not meet the demand.
-    pub(super) fn as_str(self) -> &'static str {
+    pub(super) fn as_str(self, words: &Vocabulary) -> &'static str {
         match self {
             Self::Moves | Self::Graspable => "graspable",
             Self::Carries => "a surface",
@@ -68,15 +68,15 @@ impl Demand {
             Self::Person => "a person",
             Self::Affords(Property::Plug) => "with a plug",
             Self::Affords(property) => vc_graph::Word::as_str(property),
-            Self::Enters(state) => by_action(state).map_or("", Self::as_str),
+            Self::Enters(state) => by_action(state, words).map_or("", |demand| demand.as_str(words)),
         }
     }
 }
 
 /// The demand of the actions that bring a state about. Things are heated and cooled that can be carried to a machine.
-fn by_action(state: State) -> Option<Demand> {
+fn by_action(state: State, words: &Vocabulary) -> Option<Demand> {
     match state {
         State::Hot | State::Cold => Some(Demand::Graspable),
-        state => state.needs().map(Demand::Affords),
+        state => words.needs(state).map(Demand::Affords),
     }
 }

@@ -4,7 +4,7 @@ use vc_graph::clock::ProcessTable;
 use vc_graph::goal::{Comparison, Goal, Literal, Predicate, Situation, Term};
 use vc_graph::{Node, NodeId, Relation, SceneGraph};
 
-use super::demand::{Demand, demand};
+use super::demand::demand;
 use super::{BroaderClass, HANDS, Lost, Obstacle};
 use crate::attainable::brought_about_by_action;
 use crate::vacuous;
@@ -141,7 +141,7 @@ fn check_literal(part: &Goal, literal: &Literal, number: usize, graph: &SceneGra
         let demand = demand(literal.predicate, position);
         let meets = |node: &Node| demand.is_none_or(|demand| demand.is_met(node, graph));
         let fits = |node: &Node| meets(node) || holds_of(literal, position, node.id(), graph);
-        require(part, class, needs, graph, found, fits, demand.map_or("", Demand::as_str));
+        require(part, class, needs, graph, found, fits, demand.map_or("", |demand| demand.as_str(graph.vocabulary())));
     }
     if found.len() == before {
         found.extend(unattainable(part, literal, number, graph));
@@ -173,7 +173,9 @@ fn things(term: &Term, graph: &SceneGraph) -> Vec<NodeId> {
 /// into it.
 fn unattainable(part: &Goal, literal: &Literal, needs: usize, graph: &SceneGraph) -> Option<Obstacle> {
     let (Predicate::State(state), Some(term)) = (literal.predicate, literal.terms.first()) else { return None };
-    if matches!(term, Term::Variable(_) | Term::Anything) || brought_about_by_action(literal.predicate) {
+    if matches!(term, Term::Variable(_) | Term::Anything)
+        || brought_about_by_action(graph.vocabulary(), literal.predicate)
+    {
         return None;
     }
     let is_so = |id: &NodeId| graph.node(*id).is_some_and(|node| node.is(state));

@@ -3,7 +3,7 @@
 
 use nalgebra::{Matrix3, Point3, Rotation3, UnitQuaternion, Vector3};
 use vc_graph::portable::Portable;
-use vc_graph::{Aabb, Action, Anthropometry, NodeId, Pose, Verb};
+use vc_graph::{Aabb, Action, Anthropometry, Motion, NodeId, Pose};
 use vc_people::{Activity, Reach};
 use vc_physics::Hand;
 
@@ -49,13 +49,14 @@ impl Figure {
     /// Shows the gesture of an action, such as a hand on the action's object or a cup at the mouth.
     pub(super) fn gesture(&mut self, home: &mut Environment, action: &Action, seconds: f32) {
         // Cups and books come to where the eyes are while the head is upright.
-        let upright = matches!(action.verb, Verb::Drink | Verb::Eat | Verb::Read);
+        let motion = home.graph.vocabulary().rule(action.verb).map_or(Motion::Nothing, |rule| rule.motion);
+        let upright = matches!(motion, Motion::Drink | Motion::Eat | Motion::Read);
         let gaze = if upright { None } else { home.attended(self.agent, action.things()) };
-        let doing = Activity { gesture: Some((action.verb, self.time)), gaze, ..Activity::default() };
+        let doing = Activity { gesture: Some((motion, self.time)), gaze, ..Activity::default() };
         home.poses.insert(self.agent, doing);
         let ease = EASE * seconds;
         let share = (self.time.min(seconds - self.time) / ease).clamp(0.0, 1.0);
-        if let Some(aim) = self.aim(home, action) {
+        if let Some(aim) = self.aim(home, action, motion) {
             self.follow(home, &aim, share);
         }
     }
@@ -86,16 +87,15 @@ impl Figure {
     }
 
     /// The hand that an action moves, and its target.
-    fn aim(&self, home: &Environment, action: &Action) -> Option<Aim> {
-        use Verb::{Cut, Drink, Eat, Fill, PointAt, Pour, Read};
-        if let Some(point) = action.aim.point().filter(|_| action.verb == PointAt) {
+    fn aim(&self, home: &Environment, action: &Action, motion: Motion) -> Option<Aim> {
+        if let Some(point) = action.aim.point().filter(|_| motion == Motion::Point) {
             let height = point.height().unwrap_or(self.feet(home).translation.z);
             let point = self.towards(home, &Point3::new(point.plan().x, point.plan().y, height))?;
             return Some(Aim { hand: self.free_hand(home), point, hold: Hold::Tilted(0.0), looks: true });
         }
         let (x, y) = (action.object?, action.target);
-        let hand = match (self.hand_of(home, x), action.verb) {
-            (Some(hand), Eat | Drink | Read | Pour | Fill) => hand,
+        let hand = match (self.hand_of(home, x), motion) {
+            (Some(hand), Motion::Eat | Motion::Drink | Motion::Read | Motion::Pour | Motion::Fill) => hand,
             _ => self.tool_hand(home, x),
         };
         let from = self.side(home, hand);
@@ -104,34 +104,28 @@ impl Figure {
         let (swing, chop) = (STROKE.0 * (BEAT * self.time).sine(), STROKE.1 * (BEAT * self.time).sine().abs());
         let across = self.feet(home).rotation * Vector3::y();
         let level = Hold::Tilted(0.0);
-        let (point, hold) = match action.verb {
-            Drink => (self.at_mouth(home, x), Hold::Tilted(TILT.1)),
-            Eat if self.hand_of(home, x).is_some() => (self.at_mouth(home, x), level),
+        let (point, hold) = match motion {
+            Motion::Drink => (self.at_mouth(home, x), Hold::Tilted(TILT.1)),
+            Motion::Eat if self.hand_of(home, x).is_some() => (self.at_mouth(home, x), level),
             // The hand goes to the plate first, then to the mouth.
-            Eat => {
+            Motion::Eat => {
                 let bite = (2.0 * self.time - 1.0).clamp(0.0, 1.0);
                 let plate = box_of(x)?.nearest(&from);
                 (plate + (self.before_eyes(home, MOUTH) - plate) * bite, level)
             }
-            Read => (self.before_eyes(home, BOOK), Hold::Shown),
-            Pour => (above(&box_of(y?)?, ABOVE), Hold::Tilted(TILT.0)),
-            Fill => (box_of(y?)?.nearest(&from), level),
-            PointAt => (self.towards(home, &box_of(x)?.centre())?, level),
-            Cut => (above(&box_of(x)?, 0.02 + chop), level),
-            Verb::Wipe
-            | Verb::Wash
-            | Verb::Rinse
-            | Verb::Scrub
-            | Verb::Dry
-            | Verb::Soil
-            | Verb::Play
-            | Verb::Type
-            | Verb::Cook => (box_of(x)?.nearest(&(from + across * swing)), level),
-            Verb::Watch | Verb::LookAt | Verb::Greet | Verb::TurnTo => return None,
+            Motion::Read => (self.before_eyes(home, BOOK), Hold::Shown),
+            Motion::Pour => (above(&box_of(y?)?, ABOVE), Hold::Tilted(TILT.0)),
+            Motion::Fill => (box_of(y?)?.nearest(&from), level),
+            Motion::Point => (self.towards(home, &box_of(x)?.centre())?, level),
+            Motion::Cut => (above(&box_of(x)?, 0.02 + chop), level),
+            Motion::UseAt | Motion::Play => (box_of(x)?.nearest(&(from + across * swing)), level),
+            Motion::Nothing | Motion::Look | Motion::Wave | Motion::Dance | Motion::Exercise | Motion::Stretch => {
+                return None;
+            }
             _ => (box_of(x)?.nearest(&from), level),
         };
         // Hands find the mouth without looking.
-        let looks = !matches!(action.verb, Drink | Eat);
+        let looks = !matches!(motion, Motion::Drink | Motion::Eat);
         Some(Aim { hand, point, hold, looks })
     }
 

@@ -31,7 +31,6 @@ impl Memory {
     }
 
     fn do_to(&mut self, doing: &mut Doing<'_, '_>, verb: Verb, x: NodeId) -> Done {
-        use State::{Clean, Closed, Dirty, Lying, Off, On, Open, PluggedIn, PluggedOut, Sitting};
         match verb {
             Verb::Walk | Verb::Run => doing.walk(x),
             Verb::Find if doing.view().stays_to_find(x) => doing.find(x),
@@ -42,15 +41,15 @@ impl Memory {
             Verb::Drop => self.drop(doing, x),
             Verb::Wear => doing.wear(x),
             Verb::TakeOff => doing.cut(x, Link::On, doing.agent),
-            Verb::Open => return doing.change(x, Closed, Open),
-            Verb::Close => return doing.change(x, Open, Closed),
-            Verb::SwitchOn => return doing.change(x, Off, On),
-            Verb::SwitchOff => return doing.change(x, On, Off),
-            Verb::PlugIn => return doing.change(x, PluggedOut, PluggedIn),
-            Verb::PlugOut => return doing.change(x, PluggedIn, PluggedOut),
-            Verb::Wipe | Verb::Wash | Verb::Rinse | Verb::Scrub => return doing.change(x, Dirty, Clean),
-            Verb::Sit => return doing.rest(x, Relation::SittingOn, (Lying, Sitting)),
-            Verb::Lie => return doing.rest(x, Relation::LyingOn, (Sitting, Lying)),
+            Verb::Open => return doing.change(x, State::Closed, State::Open),
+            Verb::Close => return doing.change(x, State::Open, State::Closed),
+            Verb::SwitchOn => return doing.change(x, State::Off, State::On),
+            Verb::SwitchOff => return doing.change(x, State::On, State::Off),
+            Verb::PlugIn => return doing.change(x, State::PluggedOut, State::PluggedIn),
+            Verb::PlugOut => return doing.change(x, State::PluggedIn, State::PluggedOut),
+            Verb::Wipe | Verb::Wash | Verb::Rinse | Verb::Scrub => return doing.change(x, State::Dirty, State::Clean),
+            Verb::Sit => return doing.rest(x, Relation::SittingOn, (State::Lying, State::Sitting)),
+            Verb::Lie => return doing.rest(x, Relation::LyingOn, (State::Sitting, State::Lying)),
             _ => {}
         }
         Ok(())

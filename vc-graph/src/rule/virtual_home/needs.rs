@@ -43,7 +43,6 @@ impl View<'_> {
     }
 
     fn needs_of_one(self, verb: Verb, x: NodeId, memory: &Memory) -> Judged {
-        use Property::{Lieable, Person, Plug, Readable, Sittable, Switchable, Wearable};
         match verb {
             Verb::Walk | Verb::Run => self.walkable(x),
             Verb::Find if self.stays_to_find(x) => self.close(x),
@@ -59,31 +58,31 @@ impl View<'_> {
             Verb::Drop => self.held_by_agent(x),
             Verb::Open => self.openable(x, State::Closed),
             Verb::Close => self.openable(x, State::Open),
-            Verb::SwitchOn => self.switchable(x, State::Off, &[Switchable]),
-            Verb::SwitchOff => self.switchable(x, State::On, &[Switchable]),
-            Verb::PlugIn => self.pluggable(x, State::PluggedOut, &[Plug]),
-            Verb::PlugOut => self.pluggable(x, State::PluggedIn, &[Plug]),
-            Verb::Sit => self.seat(x, State::Sitting, Sittable, SEATS),
-            Verb::Lie => self.seat(x, State::Lying, Lieable, BEDS),
+            Verb::SwitchOn => self.switchable(x, State::Off, &[Property::Switchable]),
+            Verb::SwitchOff => self.switchable(x, State::On, &[Property::Switchable]),
+            Verb::PlugIn => self.pluggable(x, State::PluggedOut, &[Property::Plug]),
+            Verb::PlugOut => self.pluggable(x, State::PluggedIn, &[Property::Plug]),
+            Verb::Sit => self.seat(x, State::Sitting, Property::Sittable, SEATS),
+            Verb::Lie => self.seat(x, State::Lying, Property::Lieable, BEDS),
             Verb::Eat => self.edible(x),
             Verb::Drink => {
                 self.of_kind(x, &[Property::Drinkable, Property::Recipient]).and_then(|()| self.held_by_agent(x))
             }
-            Verb::Read => self.of_kind(x, &[Readable]).and_then(|()| self.held_by_agent(x)),
+            Verb::Read => self.of_kind(x, &[Property::Readable]).and_then(|()| self.held_by_agent(x)),
             Verb::Touch => self.close(x).and_then(|()| self.in_the_open(x)),
             Verb::Wipe => {
                 self.close(x).and_then(|()| require(!self.held().is_empty(), || Refusal::EmptyHands(self.me())))
             }
             Verb::Wash | Verb::Rinse | Verb::Scrub => self.close(x),
             Verb::Cut => self.cuttable(x),
-            Verb::Wear => self.held_by_agent(x).and_then(|()| self.of_kind(x, &[Wearable])),
-            Verb::TakeOff => self.worn(x).and_then(|()| self.of_kind(x, &[Wearable])),
+            Verb::Wear => self.held_by_agent(x).and_then(|()| self.of_kind(x, &[Property::Wearable])),
+            Verb::TakeOff => self.worn(x).and_then(|()| self.of_kind(x, &[Property::Wearable])),
             Verb::Push | Verb::Pull | Verb::Move => self.movable(verb, x),
             Verb::Squeeze => self.squeezable(x),
-            Verb::Type => self
-                .close(x)
-                .and_then(|()| if self.name(x) == "keyboard" { Ok(()) } else { self.of_kind(x, &[Switchable]) }),
-            Verb::Greet => self.of_kind(x, &[Person]),
+            Verb::Type => self.close(x).and_then(|()| {
+                if self.name(x) == "keyboard" { Ok(()) } else { self.of_kind(x, &[Property::Switchable]) }
+            }),
+            Verb::Greet => self.of_kind(x, &[Property::Person]),
             _ => Err(Refusal::NotInVirtualHome(verb)),
         }
     }

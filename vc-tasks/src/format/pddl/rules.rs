@@ -17,7 +17,7 @@
 use std::collections::BTreeSet;
 
 use vc_graph::rule::{Argument, Condition, Effect};
-use vc_graph::{Property, State, Verb};
+use vc_graph::{Property, State, Verb, Vocabulary};
 
 use super::{AtomicFormula, Domain, Formula, Operator, OperatorEffect, Signature, TypedName};
 
@@ -33,19 +33,19 @@ pub struct LeftOut {
 /// A static fact, which no action changes, with the condition that decides it in a scene.
 pub(super) type Lasting = (String, Condition<Argument>);
 
-/// The domain of some verbs, with those that are left out.
+/// The domain of some verbs of a vocabulary, with those that are left out.
 ///
 /// ```
-/// use vc_graph::{Verb, Word};
+/// use vc_graph::{Verb, Vocabulary, Word};
 /// use vc_tasks::format::pddl;
-/// let (domain, left_out) = pddl::domain(Verb::ALL);
+/// let (domain, left_out) = pddl::domain(&Vocabulary::builtin(), Verb::ALL);
 /// assert!(domain.operators.iter().any(|o| o.name == "put_in"));
 /// assert!(left_out.iter().any(|l| l.verb == Verb::Drive));
 /// assert_eq!(domain.to_string().parse::<pddl::Domain>()?, domain);
 /// # Ok::<(), vc_tasks::format::ReadError>(())
 /// ```
-pub fn domain(verbs: &[Verb]) -> (Domain, Vec<LeftOut>) {
-    let rules = Rules::new(verbs);
+pub fn domain(words: &Vocabulary, verbs: &[Verb]) -> (Domain, Vec<LeftOut>) {
+    let rules = Rules::new(words, verbs);
     (rules.domain("virtualcity"), rules.left_out)
 }
 
@@ -68,10 +68,10 @@ pub(super) const STILL: &str = "still";
 pub(super) const UNSWITCHED: &str = "unswitched";
 
 impl Rules {
-    pub(super) fn new(verbs: &[Verb]) -> Self {
+    pub(super) fn new(words: &Vocabulary, verbs: &[Verb]) -> Self {
         let mut rules = Self { operators: Vec::new(), lasting: Vec::new(), left_out: Vec::new() };
         for &verb in verbs {
-            match ways(verb) {
+            match ways(words, verb) {
                 Ok(ways) => {
                     for (i, way) in ways.into_iter().enumerate() {
                         for fact in &way.lasting {
@@ -151,16 +151,16 @@ struct Way {
 }
 
 /// All variants of an action.
-fn ways(verb: Verb) -> Result<Vec<Way>, String> {
-    let rule = verb.rule();
+fn ways(words: &Vocabulary, verb: Verb) -> Result<Vec<Way>, String> {
+    let rule = words.rule(verb).ok_or("it is no verb of the scene")?;
     let mut all = vec![Way::default()];
-    for need in rule.preconditions {
+    for need in &*rule.preconditions {
         let choices = condition(*need, verb)?;
         all = all.iter().flat_map(|way| choices.iter().map(|choice| way.with(choice))).collect();
     }
     for way in &mut all {
-        for does in rule.effects {
-            way.effect(*does)?;
+        for does in &*rule.effects {
+            way.effect(words, *does)?;
         }
         let things = [Argument::X, Argument::Y].into_iter().take(rule.arity).map(variable);
         let did = AtomicFormula::new(format!("did_{verb}"), &things.collect::<Vec<_>>());
@@ -341,13 +341,13 @@ impl Way {
         self.does.push(OperatorEffect::Delete(AtomicFormula::new(predicate, things)));
     }
 
-    fn effect(&mut self, effect: Effect<Argument>) -> Result<(), String> {
+    fn effect(&mut self, words: &Vocabulary, effect: Effect<Argument>) -> Result<(), String> {
         match effect {
-            Effect::Enter(t, state) => self.enter(variable(t), state),
+            Effect::Enter(t, state) => self.enter(words, variable(t), state),
             // Objects on or in it would enter the state as well.
             Effect::EnterWith(t, state) => {
                 self.need(AtomicFormula::new("free", &[variable(t)]));
-                self.enter(variable(t), state);
+                self.enter(words, variable(t), state);
             }
             Effect::EnterOwn(state) => self.add(is(state), &[HANDS]),
             Effect::LeaveOwn(state) => self.delete(is(state), &[HANDS]),
@@ -372,7 +372,7 @@ impl Way {
                 self.add("vacant", &["?k"]);
                 self.delete(is(State::Asleep), &[HANDS]);
             }
-            Effect::FillWithWater(t) => self.enter(variable(t), State::Filled),
+            Effect::FillWithWater(t) => self.enter(words, variable(t), State::Filled),
             Effect::PutOnBody(t) => {
                 self.delete("held", &[variable(t), "?h"]);
                 self.add("free_hand", &["?h"]);
@@ -383,8 +383,8 @@ impl Way {
         Ok(())
     }
 
-    fn enter(&mut self, thing: &str, state: State) {
-        for opposite in state.opposites().iter() {
+    fn enter(&mut self, words: &Vocabulary, thing: &str, state: State) {
+        for opposite in words.opposites(state).iter() {
             self.delete(is(opposite), &[thing]);
             self.add(is_not(opposite), &[thing]);
         }

@@ -66,7 +66,7 @@ pub(super) fn name(graph: &SceneGraph, id: NodeId) -> String {
 /// temporal operators, rooms.
 pub fn planning(graph: &SceneGraph, agent: NodeId, goal: &Goal, keep: Keep) -> Result<Planning, Unwritable> {
     let mut ways = ways(goal, graph, agent)?;
-    let mut rules = Rules::new(Verb::ALL);
+    let mut rules = Rules::new(graph.vocabulary(), &graph.vocabulary().verbs().collect::<Vec<_>>());
     let plain = ways.len() == 1 && ways[0].facts.iter().all(|f| f.arguments.iter().all(|a| !a.starts_with('?')));
     let wanted = if plain { ways.remove(0).facts } else { vec![AtomicFormula::new("met", &[])] };
     rules.operators.extend(ways.iter().enumerate().filter(|_| !plain).map(|(i, way)| met(way, i)));
@@ -323,7 +323,8 @@ impl Scene<'_> {
     fn state_facts(&self, id: NodeId, facts: &mut BTreeSet<AtomicFormula>) {
         let Some(node) = self.graph.node(id) else { return };
         let thing = self.name(id);
-        for &state in State::ALL {
+        let own = self.graph.vocabulary().own_states().iter().map(|own| own.state);
+        for state in State::ALL.iter().copied().chain(own) {
             let predicate = if node.is(state) { is(state) } else { is_not(state) };
             facts.insert(AtomicFormula::new(predicate, &[&thing]));
         }

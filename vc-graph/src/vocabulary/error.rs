@@ -1,0 +1,91 @@
+//! Errors in the text of a vocabulary.
+
+use super::{NameProblem, UnknownWord};
+
+/// An error in the text of a [`Vocabulary`](super::Vocabulary), with its line.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("{file}, line {line}: {problem}")]
+pub struct VocabularyError {
+    /// Name of the text, as given.
+    pub file: String,
+    /// Line, counted from one.
+    pub line: usize,
+    /// The error.
+    pub problem: VocabularyProblem,
+}
+
+/// An error in a line of a vocabulary.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum VocabularyProblem {
+    /// The line declares nothing.
+    #[error("`{0}` is no declaration: write `state NAME`, `property NAME` or `verb NAME THINGS`")]
+    Kind(String),
+    /// A verb without its number of things.
+    #[error("`{0}` is no number of things: a verb takes 0, 1 or 2, as in `verb polish 2`")]
+    Things(String),
+    /// A bad name.
+    #[error(transparent)]
+    Name(#[from] NameProblem),
+    /// A field that a declaration does not have.
+    #[error("`{field}` is no field of a {kind}: it has {known}")]
+    Field {
+        /// The kind of the declaration.
+        kind: &'static str,
+        /// The field.
+        field: String,
+        /// The fields that there are.
+        known: String,
+    },
+    /// A field is given twice.
+    #[error("`{0}` is given twice: separate several entries by `;`")]
+    Twice(&'static str),
+    /// A condition, effect or set of aims that does not exist.
+    #[error("unknown {what} `{word}`{near}; use one of: {known}")]
+    Unknown {
+        /// A condition, an effect or a set of aims.
+        what: &'static str,
+        /// The word.
+        word: String,
+        /// The nearest of these that there are.
+        near: String,
+        /// Those that there are.
+        known: String,
+    },
+    /// A condition or effect with other parts than it has.
+    #[error("`{0}` has too few words or too many")]
+    Parts(String),
+    /// A word of another vocabulary.
+    #[error(transparent)]
+    Word(#[from] UnknownWord),
+    /// The word for a thing is neither `x` nor `y`.
+    #[error("`{0}` is no thing of an action: `x` is the first, `y` the second")]
+    Thing(String),
+    /// A rule is about a thing that its verb does not take.
+    #[error("`{verb}` takes {things} things, so there is no `{thing}`")]
+    NoSuchThing {
+        /// The verb.
+        verb: String,
+        /// How many things it takes.
+        things: usize,
+        /// The thing.
+        thing: &'static str,
+    },
+    /// An effect by an action's aim.
+    #[error("effects of an aim are not written: `aims: {{name}}` says which aims a verb takes")]
+    OfAim,
+    /// The verb takes another number of things than the aims are for.
+    #[error("the aims `{aims}` are for verbs with {needed} things")]
+    Aims {
+        /// The aims.
+        aims: &'static str,
+        /// The number of things that they are for.
+        needed: usize,
+    },
+    /// An own word of another vocabulary.
+    #[error("`{0}` is not declared in this vocabulary")]
+    Undeclared(&'static str),
+    /// A word is declared again with another meaning.
+    #[error("`{0}` is declared already, with another meaning")]
+    Redeclared(&'static str),
+}
