@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use vc_graph::clock::{DayTime, Durations, ProcessTable, TICKS_PER_SECOND};
-use vc_graph::{ClassTable, SceneGraph, State};
+use vc_graph::{ClassTable, SceneGraph, State, Vocabulary};
 use vc_relations::RelationRule;
 use vc_relations::threshold::SUPPORT_GAP;
 
@@ -17,6 +17,7 @@ use super::{Assets, Environment, MakeError, scene};
 /// | [`agents`](Self::agents) | 1 |
 /// | [`assets`](Self::assets) | [`Assets::Generated`] for a scene by name, [`Assets::None`] for a graph |
 /// | [`classes`](Self::classes) | [`ClassTable::builtin`] |
+/// | [`vocabulary`](Self::vocabulary) | that of the scene |
 /// | [`bodies`](Self::bodies) | yes: bodies do the actions |
 /// | [`physics`](Self::physics), [`gravity`](Self::gravity) | [`vc_physics::Settings::default`]: steps of 1/60 s, 9.81 m/s² |
 /// | [`relations`](Self::relations) | [`RelationRule::Contacts`] |
@@ -39,6 +40,7 @@ use super::{Assets, Environment, MakeError, scene};
 pub struct EnvironmentBuilder {
     source: Source,
     agents: usize,
+    vocabulary: Option<Arc<Vocabulary>>,
     settings: EnvironmentSettings,
 }
 
@@ -94,7 +96,7 @@ impl EnvironmentSettings {
 
 impl EnvironmentBuilder {
     fn new(source: Source, assets: Assets) -> Self {
-        Self { source, agents: 1, settings: EnvironmentSettings::new(assets) }
+        Self { source, agents: 1, vocabulary: None, settings: EnvironmentSettings::new(assets) }
     }
 
     /// The number of agents. Agents that the scene has are kept, others are added until there are so many.
@@ -112,6 +114,21 @@ impl EnvironmentBuilder {
     /// The classes that a scene is read with. A scene that is generated or given as a graph has its own.
     pub fn classes(mut self, classes: impl Into<Arc<ClassTable>>) -> Self {
         self.settings.classes = classes.into();
+        self
+    }
+
+    /// The words of the scene, instead of those that come with it or with its classes.
+    ///
+    /// ```
+    /// use virtualcity::Environment;
+    /// use virtualcity::graph::Vocabulary;
+    /// let words = Vocabulary::parse("words.txt", "verb bow 0 | motion: stretch")?;
+    /// let mut home = Environment::builder("apartment/9").vocabulary(words).make()?;
+    /// home.set_action(home.agents()[0], "bow".parse()?)?;
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn vocabulary(mut self, words: impl Into<Arc<Vocabulary>>) -> Self {
+        self.vocabulary = Some(words.into());
         self
     }
 
@@ -281,10 +298,13 @@ impl EnvironmentBuilder {
         if let Some(state) = moves.filter(|_| *bodies) {
             return Err(MakeError::Process(state));
         }
-        let graph = match self.source {
+        let mut graph = match self.source {
             Source::Name(name) => scene::named(&name, &self.settings.classes)?,
             Source::Graph(graph) => *graph,
         };
+        if let Some(words) = self.vocabulary {
+            graph.set_vocabulary(words);
+        }
         Environment::with_settings(graph, self.agents, &self.settings)
     }
 }

@@ -17,6 +17,7 @@ mod golden;
 mod hostile;
 mod initial;
 mod made;
+mod own_words;
 mod pictures;
 mod record;
 mod single_actions;

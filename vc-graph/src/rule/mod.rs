@@ -45,6 +45,7 @@ mod check;
 pub mod condition;
 pub mod effect;
 mod fit;
+mod free_role;
 mod judge;
 mod legal;
 mod motion;

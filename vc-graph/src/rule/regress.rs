@@ -3,6 +3,7 @@
 use crate::rule::check::origin;
 use crate::rule::condition::Condition;
 use crate::rule::effect::{Argument, Effect};
+use crate::rule::free_role::filled;
 use crate::rule::preconditions;
 use crate::rule::table::ActionRule;
 use crate::{Action, NodeId, Place, Property, Relation, SceneGraph, State, Verb};
@@ -71,64 +72,21 @@ fn candidates(graph: &SceneGraph, agent: NodeId, condition: &Condition) -> Vec<A
         Condition::Related(id, Relation::Inside | Relation::InRoom, room) if graph.rooms().contains(&room) => {
             into_room(graph, agent, id, room)
         }
-        _ => graph.vocabulary().rules().filter_map(|rule| by_effect(graph, agent, rule, condition)).collect(),
+        _ => graph.vocabulary().rules().flat_map(|rule| by_effect(graph, agent, rule, condition)).collect(),
     }
 }
 
-/// The action of a verb that has an effect which makes the condition true. An object about which the condition says
-/// nothing is the likeliest: the tap for a glass, the rag for a table.
-fn by_effect(graph: &SceneGraph, agent: NodeId, rule: &ActionRule, condition: &Condition) -> Option<Action> {
-    let bound = rule.effects.iter().find_map(|e| binding(graph, *e, condition, agent))?;
+/// The actions of a verb that has an effect which makes the condition true.
+fn by_effect(graph: &SceneGraph, agent: NodeId, rule: &ActionRule, condition: &Condition) -> Vec<Action> {
+    let Some(bound) = rule.effects.iter().find_map(|e| binding(graph, *e, condition, agent)) else { return Vec::new() };
     let action = match bound {
         Bound::Nothing => Action::zero(rule.verb),
         Bound::One(Argument::X, id) => Action::one(rule.verb, id),
         Bound::One(Argument::Y, id) => Action { target: Some(id), ..Action::zero(rule.verb) },
         Bound::Two(id, at) => Action::two(rule.verb, id, at),
     };
-    let object = match action.object {
-        None if rule.arity > 0 => {
-            Some(likeliest(graph, agent, rule, &action, |id| Action { object: Some(id), ..action })?)
-        }
-        object => object,
-    };
-    let action = Action { object, ..action };
-    let target = match action.target {
-        None if rule.arity > 1 => {
-            Some(likeliest(graph, agent, rule, &action, |id| Action { target: Some(id), ..action })?)
-        }
-        target => target,
-    };
-    Some(Action { target, ..action })
-}
-
-/// The object for a free role of an action: one that fits for good, with the fewest unmet preconditions besides
-/// nearness; of several to be held, the nearest.
-fn likeliest(
-    graph: &SceneGraph,
-    agent: NodeId,
-    rule: &ActionRule,
-    action: &Action,
-    with: impl Fn(NodeId) -> Action,
-) -> Option<NodeId> {
-    // Preconditions on the free role alone.
-    let needs: Vec<_> = rule.preconditions.iter().filter(|need| need.ground(action).is_none()).collect();
-    let room = graph.room_of(agent);
-    let cost = |id: NodeId| {
-        let action = with(id);
-        let needs = || needs.iter().filter_map(|need| need.ground(&action));
-        let lasting = needs().filter(Condition::is_lasting).all(|need| need.holds(graph, agent));
-        let held = needs().any(|need| need == Condition::Holding(id));
-        let fits = lasting && (!held || Condition::Graspable(id).holds(graph, agent)) && !action_repeats(&action);
-        let unmet = || needs().filter(|need| !matches!(need, Condition::Near(_)) && !need.holds(graph, agent)).count();
-        let far = || (!graph.near(agent, id), graph.room_of(id) != room, graph.hidden_in(id).is_some());
-        fits.then(|| (unmet(), if held { far() } else { Default::default() }, id))
-    };
-    graph.nodes().filter_map(|node| cost(node.id())).min().map(|(.., id)| id)
-}
-
-/// Whether an action names a thing twice.
-fn action_repeats(action: &Action) -> bool {
-    action.object.is_some() && action.object == action.target
+    let with_first = filled(graph, agent, rule, action, Argument::X);
+    with_first.into_iter().flat_map(|action| filled(graph, agent, rule, action, Argument::Y)).collect()
 }
 
 enum Bound {

@@ -39,8 +39,8 @@ impl Vocabulary {
     /// use vc_graph::Vocabulary;
     /// let words = Vocabulary::parse("words.txt", "verb bow 0 | says: Bows.\n")?;
     /// assert_eq!(words.to_string(), "verb bow 0 | says: Bows.\n");
-    /// let error = Vocabulary::parse("words.txt", "\nverb bow 0 | needs: nere x").unwrap_err();
-    /// assert!(error.to_string().starts_with("words.txt, line 2: unknown condition `nere` (did you mean `near`"));
+    /// let error = Vocabulary::parse("words.txt", "\nverb bow 0 | needs: naer x").unwrap_err();
+    /// assert!(error.to_string().starts_with("words.txt, line 2: unknown condition `naer` (did you mean `near`"));
     /// # Ok::<(), vc_graph::VocabularyError>(())
     /// ```
     ///

@@ -159,7 +159,7 @@ fn the_order_of_declaration_changes_no_bytes() {
     let mut sorted = legal_actions(&first, first.agents()[0]);
     sorted.sort_unstable();
     assert_eq!(sorted, legal_actions(&first, first.agents()[0]), "verbs are ordered as actions are");
-    assert_eq!(first.digest().to_string(), "DIGEST");
+    assert_eq!(first.digest().to_string(), "005598de2a7726b5");
 }
 
 #[test]
@@ -227,7 +227,7 @@ fn errors_say_what_is_wrong() {
         ("verb puton 1", "has a meaning already"),
         ("verb bend", "`` is no number of things"),
         ("verb bend 3", "`3` is no number of things"),
-        ("verb bend 1 | needs: nere x", "unknown condition `nere` (did you mean `near`"),
+        ("verb bend 1 | needs: naer x", "unknown condition `naer` (did you mean `near`"),
         ("verb bend 1 | needs: near", "`near` has too few words or too many"),
         ("verb bend 1 | needs: near x y", "too few words or too many"),
         ("verb bend 1 | needs: near z", "`z` is no thing of an action"),

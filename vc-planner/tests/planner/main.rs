@@ -21,6 +21,7 @@ mod hands;
 mod manners;
 mod model;
 mod negation;
+mod own_words;
 mod plans;
 mod policies;
 mod reasons;

@@ -1,0 +1,39 @@
+//! A verb of your own, with a state and an affordance: the planner plans with it, and an agent with a body does it.
+//!
+//! `cargo run --release --example own_verb`
+
+mod support;
+
+use support::{Complaint, say};
+use virtualcity::Environment;
+use virtualcity::graph::{Property, Seed, Vocabulary};
+use virtualcity::planner::{PlannerPolicy, run_episode};
+use virtualcity::procgen::Apartment;
+use virtualcity::tasks::{Outcome, Task};
+
+/// `x` is polished with `y`, a wiper in hand.
+const WORDS: &str = "
+property polishable
+state shiny | excludes: dusty dirty | needs: polishable
+verb polish 2 | needs: affords x polishable; affords y wiper; holding y; accessible x; near x | effects: enter x shiny | motion: use_at
+";
+
+fn main() -> Result<(), Complaint> {
+    let mut scene = Apartment::from_seed(Seed(9))?.scene();
+    scene.set_vocabulary(Vocabulary::parse("words.txt", WORDS)?);
+    let (polishable, tables): (Property, _) = ("polishable".parse()?, scene.of_class("table"));
+    let mut edit = scene.edit();
+    for table in tables {
+        edit.allow(table, polishable)?;
+    }
+    edit.commit();
+
+    let mut home = Environment::builder_from_scene(scene).make()?;
+    let task = Task::new("polish the coffee table", "Shiny(coffee_table)".parse()?);
+    let episode = run_episode(&mut PlannerPolicy::best(), &task, &mut home);
+    for event in home.history().events() {
+        say!("{}", event.action.describe(home.graph()));
+    }
+    say!("{:?} after {} steps", episode.outcome, episode.steps);
+    if episode.outcome == Outcome::Won { Ok(()) } else { Err(Complaint::new("the table is not polished")) }
+}

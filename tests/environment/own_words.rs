@@ -1,0 +1,120 @@
+//! Verbs, states and properties of one's own in homes with bodies: they are planned, done, saved and seen as built-in ones.
+
+use virtualcity::Environment;
+use virtualcity::graph::clock::Span;
+use virtualcity::graph::{Action, NodeId, Property, Refusal, Seed, State, Verb, Vocabulary, Word, rule};
+use virtualcity::planner::{PlannerPolicy, run_episode};
+use virtualcity::procgen::Apartment;
+use virtualcity::tasks::{Outcome, Task};
+use virtualcity::{ActionError, Ending};
+
+const WORDS: &str = "
+    property polishable
+    state shiny | excludes: dusty dirty | needs: polishable
+    verb polish 2 | needs: affords x polishable; holding y; accessible x; near x | effects: enter x shiny | motion: use_at
+    verb bow 0 | needs: upright | motion: stretch
+    verb stow 2 | needs: carries y; fits x y; holding x; accessible y; near y | effects: put_on x y | aims: putting
+";
+
+/// A generated home with these words, in which tables can be polished.
+fn home(seed: u64, words: &str) -> Environment {
+    let mut scene = Apartment::from_seed(Seed(seed)).unwrap().scene();
+    scene.set_vocabulary(Vocabulary::parse("words.txt", words).unwrap());
+    let tables = scene.of_class("table");
+    let mut edit = scene.edit();
+    for table in tables {
+        edit.allow(table, Property::parse("polishable").unwrap()).unwrap();
+    }
+    edit.commit();
+    Environment::builder_from_scene(scene).make().unwrap()
+}
+
+fn task(goal: &str) -> Task {
+    Task::new(goal, goal.parse().unwrap())
+}
+
+/// The actions of an episode in which the best planner reaches a goal.
+fn won(home: &mut Environment, goal: &str) -> Vec<String> {
+    let episode = run_episode(&mut PlannerPolicy::best(), &task(goal), home);
+    assert_eq!(episode.outcome, Outcome::Won, "{goal}: {:?}", episode.reason);
+    home.history().events().iter().map(|event| event.action.to_string()).collect()
+}
+
+#[test]
+fn the_planner_reaches_a_goal_by_an_own_verb() {
+    for seed in [9, 42, 7] {
+        let mut first = home(seed, WORDS);
+        let begun = first.clone();
+        let table = first.graph().of_class("coffee_table").first().copied().or(first.graph().first_of_class("table"));
+        let goal = format!("Shiny(#{})", table.unwrap().0);
+        let actions = won(&mut first, &goal);
+        assert!(actions.iter().any(|action| action.starts_with("polish ")), "{actions:?}");
+        assert!(first.graph().node(table.unwrap()).unwrap().is(State::parse("shiny").unwrap()));
+        let mut again = begun;
+        assert_eq!(won(&mut again, &goal), actions);
+        assert_eq!(again.digest(), first.digest());
+    }
+}
+
+#[test]
+fn effects_of_own_verbs_are_done_by_bodies() {
+    let mut home = home(42, WORDS);
+    let goal = "did stow(cup, table) & did bow()";
+    let actions = won(&mut home, goal);
+    assert!(actions.iter().any(|action| action.starts_with("stow ")), "{actions:?}");
+    let stowed = home.history().events().iter().find(|event| event.action.verb.as_str() == "stow").unwrap().action;
+    let (cup, table) = (stowed.object.unwrap(), stowed.target.unwrap());
+    assert_eq!(home.graph().place(cup).map(|place| place.at), Some(table));
+    let [cup, top] = [cup, table].map(|id| home.world().aabb(id).unwrap());
+    assert!((cup.min.z - top.max.z).abs() < 0.05, "the cup stands on the table: {} {}", cup.min.z, top.max.z);
+}
+
+/// The legal actions with own verbs are those without a refusal.
+#[test]
+fn legal_actions_have_own_verbs() {
+    let mut home = home(42, WORDS);
+    won(&mut home, "Holds(cup)");
+    let (me, graph) = (home.agents()[0], home.graph().clone());
+    let ids: Vec<NodeId> = graph.nodes().map(|node| node.id()).collect();
+    let all = |verb: Verb| match verb.arity() {
+        0 => vec![Action::zero(verb)],
+        _ => ids.iter().flat_map(|x| ids.iter().map(move |y| Action::two(verb, *x, *y))).collect::<Vec<_>>(),
+    };
+    let own = graph.vocabulary().own_rules().iter().flat_map(|rule| all(rule.verb));
+    let expected: Vec<Action> = own.filter(|action| rule::allows(&graph, me, action)).collect();
+    let legal = home.legal_actions(me).into_iter().filter(|action| !action.verb.is_builtin());
+    assert_eq!(legal.collect::<Vec<_>>(), expected);
+    assert!(expected.contains(&"bow".parse().unwrap()));
+}
+
+/// In the middle of an own action the environment is saved, restored and goes on as the first.
+#[test]
+fn own_actions_are_saved_and_restored() {
+    let mut home = home(42, WORDS);
+    let begun = home.clone();
+    won(&mut home, "Holds(cup)");
+    let (me, graph) = (home.agents()[0], home.graph());
+    let (cup, table) = (graph.held(me).next().unwrap(), graph.first_of_class("table").unwrap());
+    home.set_action(me, Action::walk(table)).unwrap();
+    home.give(me, Action::two(Verb::parse("polish").unwrap(), table, cup));
+    home.step(Span(30));
+    let mut again = begun.restore(&home.save().unwrap()).unwrap();
+    for home in [&mut home, &mut again] {
+        let endings = home.step_until_idle(Span(6000));
+        assert!(matches!(&endings[..], [Ending { outcome: Ok(_), .. }]), "{endings:?}");
+        assert!(home.graph().node(table).unwrap().is(State::parse("shiny").unwrap()));
+    }
+    assert_eq!(again.digest(), home.digest());
+    assert!(again.save().unwrap() == home.save().unwrap());
+}
+
+#[test]
+fn a_verb_that_the_scene_lacks_is_refused() {
+    Vocabulary::parse("words.txt", WORDS).unwrap();
+    let mut home = super::home(7, 1);
+    let (me, bow) = (home.agents()[0], "bow".parse::<Action>().unwrap());
+    let before = home.digest();
+    let refused = home.set_action(me, bow).unwrap_err();
+    assert!(matches!(&refused, ActionError::Refused(why) if why[..] == [Refusal::NoSuchVerb(bow.verb)]), "{refused:?}");
+    assert_eq!(home.digest(), before);
+}
