@@ -1,7 +1,7 @@
 //! The contract that every environment keeps, as a test that anybody can run.
 
 use vc_graph::clock::Span;
-use vc_graph::{Action, NodeId, NodeKind, SceneGraph, Seed, Stream, Verb, Violation, Word, rule};
+use vc_graph::{Action, NodeId, NodeKind, SceneGraph, Seed, Stream, Verb, Violation, rule};
 
 use crate::Batch;
 use crate::environment::{ActionError, Environment, MakeError};
@@ -353,7 +353,8 @@ pub fn legal_action(graph: &SceneGraph, agent: NodeId, stream: &mut Stream) -> A
 
 /// An action of any verb with any things, more often with things that are near or in hand.
 fn any_action(graph: &SceneGraph, agent: NodeId, stream: &mut Stream) -> Action {
-    let verb = stream.pick(Verb::ALL).copied().unwrap_or(Verb::Dance);
+    let verbs: Vec<Verb> = graph.vocabulary().verbs().collect();
+    let verb = stream.pick(&verbs).copied().unwrap_or(Verb::Dance);
     let all: Vec<NodeId> = graph.nodes().map(vc_graph::Node::id).collect();
     let body = graph.node(agent).and_then(vc_graph::Node::position);
     let near: Vec<NodeId> = body.map(|at| graph.within(at, 2.0)).unwrap_or_default();

@@ -17,6 +17,7 @@
 //! 15. [Resetting to an edited graph](#resetting-to-an-edited-graph)
 //! 16. [Several agents at the same time](#several-agents-at-the-same-time)
 //! 17. [Actions at points](#actions-at-points)
+//! 18. [Words of your own](#words-of-your-own)
 //!
 //! # Many homes at once
 //!
@@ -599,5 +600,27 @@
 //! let walk = format!("walk at {:.3} {:.3}", middle.x, middle.y);
 //! let error = home.set_action(me, walk.parse()?).unwrap_err();
 //! assert!(matches!(error, ActionError::Impossible { why: PhysicalRefusal::PointTaken { .. }, .. }), "{error}");
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # Words of your own
+//!
+//! A scene may have verbs, states and properties of its own: lines of a [`Vocabulary`](vc_graph::Vocabulary), whose rules are
+//! made of the conditions and effects of the built-in verbs. The planner plans with them, and bodies show the motion that a
+//! rule names. Classes of your own can have them too, see [`ClassTable::with_vocabulary`](vc_graph::ClassTable::with_vocabulary).
+//!
+//! ```
+//! use virtualcity::Environment;
+//! use virtualcity::graph::Vocabulary;
+//! use virtualcity::planner::{PlannerPolicy, run_episode};
+//! use virtualcity::tasks::{Outcome, Task};
+//! let words = Vocabulary::parse("words.txt", "
+//!     state blessed
+//!     verb bless 1 | needs: upright; facing x | effects: enter_with x blessed | motion: wave
+//! ")?;
+//! let mut home = Environment::builder("apartment/9").vocabulary(words).make()?;
+//! let task = Task::new("bless the fridge", "Blessed(fridge) & did bless(fridge)".parse()?);
+//! let episode = run_episode(&mut PlannerPolicy::best(), &task, &mut home);
+//! assert_eq!(episode.outcome, Outcome::Won);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```

@@ -12,7 +12,7 @@ fn plain(node: &Node) -> bool {
 }
 
 fn look(graph: &SceneGraph) -> Vec<(u32, String, u64)> {
-    graph.nodes().map(|n| (n.id().0, n.class().to_string(), n.states().bits())).collect()
+    graph.nodes().map(|n| (n.id().0, n.class().to_string(), n.states())).collect()
 }
 
 fuzz_target!(|text: &str| {

@@ -1,5 +1,7 @@
 //! Goals that only a verb of one's own reaches, for agents that know the home and for agents that do not.
 
+#![allow(clippy::unwrap_used, reason = "tests may unwrap")]
+
 use vc_graph::goal::Goal;
 use vc_graph::{Property, SceneGraph, Simulator, State, Vocabulary, Word};
 use vc_planner::{PlannerPolicy, run_episode};
