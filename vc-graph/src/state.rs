@@ -84,7 +84,7 @@ const EXCLUSIVE: &[&[State]] = &[
 ];
 
 impl State {
-    /// The states that this state excludes.
+    /// The built-in states that this state excludes; [`Vocabulary::opposites`](crate::Vocabulary::opposites) knows own ones.
     ///
     /// ```
     /// use vc_graph::State;
@@ -96,7 +96,8 @@ impl State {
         groups.fold(StateSet::EMPTY, |set, group| set.union(StateSet::from_words(group))).without(self)
     }
 
-    /// The affordance without which no action brings a thing into the state; `None` for a state of all sorts of things.
+    /// The affordance without which no action brings a thing into the state; `None` for a state of all sorts of things. For
+    /// own states [`Vocabulary::needs`](crate::Vocabulary::needs) says it.
     ///
     /// ```
     /// use vc_graph::{Property, State};
@@ -117,7 +118,8 @@ impl State {
 }
 
 impl StateSet {
-    /// This set with the state added and its opposites removed.
+    /// This set with the state added and its built-in opposites removed;
+    /// [`Vocabulary::entering`](crate::Vocabulary::entering) removes own ones as well.
     ///
     /// ```
     /// use vc_graph::{State, StateSet};
@@ -129,7 +131,7 @@ impl StateSet {
         self.minus(state.opposites()).with(state)
     }
 
-    /// The groups of exclusive states from which the set has more than one.
+    /// The groups of built-in exclusive states from which the set has more than one.
     pub fn conflicts(self) -> impl Iterator<Item = StateSet> {
         EXCLUSIVE.iter().filter_map(move |group| {
             let both: StateSet = group.iter().copied().filter(|&s| self.contains(s)).collect();

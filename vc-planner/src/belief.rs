@@ -13,7 +13,9 @@ use std::sync::Arc;
 
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
-use vc_graph::{Node, NodeId, NodeKind, Observation, Place, Property, Relation, SceneGraph, State, StateSet};
+use vc_graph::{
+    Node, NodeId, NodeKind, Observation, Place, Property, Relation, SceneGraph, State, StateSet, Vocabulary,
+};
 
 use crate::prior::{Kinds, Supposed, Tidiness};
 use crate::{KnownNodes, Prior};
@@ -223,8 +225,12 @@ impl Belief {
 
     /// Forgets the places of things and the states of all things.
     fn forget(&mut self, hidden: &[NodeId]) {
-        let states: Vec<(NodeId, StateSet)> =
-            self.graph.nodes().filter(|n| n.kind() == NodeKind::Object).map(|n| (n.id(), presumed(n))).collect();
+        let states: Vec<(NodeId, StateSet)> = self
+            .graph
+            .nodes()
+            .filter(|n| n.kind() == NodeKind::Object)
+            .map(|n| (n.id(), presumed(self.graph.vocabulary(), n)))
+            .collect();
         let near = [Relation::Near, Relation::NearFront, Relation::NearBack, Relation::NearLeft, Relation::NearRight];
         let mut edit = self.graph.edit();
         for (id, states) in states {
@@ -244,14 +250,14 @@ impl Belief {
 }
 
 /// The presumed state of an object before it has been seen: closed, off and clean.
-fn presumed(node: &Node) -> StateSet {
+fn presumed(words: &Vocabulary, node: &Node) -> StateSet {
     let mut states = node.states();
     if states.contains(State::Dirty) {
-        states = states.entering(State::Clean);
+        states = words.entering(states, State::Clean);
     }
     for (property, state) in [(Property::Openable, State::Closed), (Property::Switchable, State::Off)] {
         if node.affords(property) {
-            states = states.entering(state);
+            states = words.entering(states, state);
         }
     }
     states
