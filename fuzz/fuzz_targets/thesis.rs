@@ -11,8 +11,8 @@ fn plain(node: &Node) -> bool {
     name.chars().all(|c| c.is_alphanumeric() || c == '_')
 }
 
-fn look(graph: &SceneGraph) -> Vec<(u32, String, u64)> {
-    graph.nodes().map(|n| (n.id().0, n.class().to_string(), n.states())).collect()
+fn look(graph: &SceneGraph) -> Vec<(u32, String, String)> {
+    graph.nodes().map(|n| (n.id().0, n.class().to_string(), n.states().to_string())).collect()
 }
 
 fuzz_target!(|text: &str| {

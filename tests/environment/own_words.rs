@@ -1,8 +1,8 @@
 //! Verbs, states and properties of one's own in homes with bodies: they are planned, done, saved and seen as built-in ones.
 
 use virtualcity::Environment;
-use virtualcity::graph::clock::Span;
-use virtualcity::graph::{Action, NodeId, Property, Refusal, Seed, State, Verb, Vocabulary, Word, rule};
+use virtualcity::graph::clock::{Durations, Span};
+use virtualcity::graph::{Action, NodeId, Pose, Property, Refusal, Seed, State, Verb, Vocabulary, Word, rule};
 use virtualcity::planner::{PlannerPolicy, run_episode};
 use virtualcity::procgen::Apartment;
 use virtualcity::tasks::{Outcome, Task};
@@ -26,7 +26,8 @@ fn home(seed: u64, words: &str) -> Environment {
         edit.allow(table, Property::parse("polishable").unwrap()).unwrap();
     }
     edit.commit();
-    Environment::builder_from_scene(scene).make().unwrap()
+    // Wiping takes no longer than it is shown.
+    Environment::builder_from_scene(scene).durations(Durations::default()).make().unwrap()
 }
 
 fn task(goal: &str) -> Task {
@@ -85,6 +86,36 @@ fn legal_actions_have_own_verbs() {
     let legal = home.legal_actions(me).into_iter().filter(|action| !action.verb.is_builtin());
     assert_eq!(legal.collect::<Vec<_>>(), expected);
     assert!(expected.contains(&"bow".parse().unwrap()));
+}
+
+/// The poses of a held thing from tick to tick while an action is done in a copy of the home.
+fn shown(home: &Environment, action: Action, held: NodeId) -> Vec<Pose> {
+    let (mut home, mut poses) = (home.clone(), Vec::new());
+    let me = home.agents()[0];
+    let watch = |now: &Environment| poses.push(now.world().pose(held).unwrap());
+    home.set_action_in_time(me, action, Span(1), watch).unwrap();
+    poses
+}
+
+/// A body shows an own verb by the motion that its rule names: polishing looks as wiping does, and bowing does not.
+#[test]
+fn own_verbs_are_shown_by_their_motion() {
+    let mut home = home(42, WORDS);
+    won(&mut home, "Holds(cup) & Near(coffee_table)");
+    let me = home.agents()[0];
+    let (cup, table) = (home.graph().held(me).next().unwrap(), home.graph().of_class("coffee_table")[0]);
+    let polish = shown(&home, Action::two(Verb::parse("polish").unwrap(), table, cup), cup);
+    let wipe = shown(&home, Action::one(Verb::Wipe, table), cup);
+    assert!(polish.len() > 60 && polish[..60] == wipe[..60]);
+    let top = home.world().aabb(table).unwrap();
+    let far = |poses: &[Pose]| {
+        let distances = poses
+            .iter()
+            .map(|pose| (top.nearest(&pose.translation.vector.into()) - pose.translation.vector).coords.norm());
+        distances.fold(f32::INFINITY, f32::min)
+    };
+    let bow = shown(&home, Action::zero(Verb::parse("bow").unwrap()), cup);
+    assert!(far(&polish) < 0.15 && far(&bow) > 0.3, "{} {}", far(&polish), far(&bow));
 }
 
 /// In the middle of an own action the environment is saved, restored and goes on as the first.

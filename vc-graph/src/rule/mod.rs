@@ -41,6 +41,7 @@
 //! The verdicts of VirtualHome's simulator instead of these are in [`virtual_home`].
 
 mod aim;
+mod aim_sets;
 mod check;
 pub mod condition;
 pub mod effect;

@@ -2,7 +2,8 @@
 
 use std::borrow::Cow;
 
-use crate::rule::aim::{self, AimRule};
+use crate::rule::aim::AimRule;
+use crate::rule::aim_sets;
 use crate::rule::condition::Condition::{self, *};
 use crate::rule::effect::Argument::{self, X, Y};
 use crate::rule::effect::Effect::{self, *};
@@ -55,36 +56,36 @@ const fn rule(
 pub static RULES: &[ActionRule] = &[
     rule(Verb::Walk, 1, &[Reachable(X), Other(X), Upright], &[GoTo(X)],
         Motion::Go, "Walks to a room, or into the room of a thing and up to it. Doors do not block: one opens and closes them in passing. What was near is no longer.")
-        .aims(aim::GOING),
+        .aims(aim_sets::GOING),
     rule(Verb::Run, 1, &[Reachable(X), Other(X), Upright], &[GoTo(X)],
         Motion::Go, "As walk, faster.")
-        .aims(aim::GOING),
+        .aims(aim_sets::GOING),
     rule(Verb::Find, 1, &[Reachable(X), Other(X), UprightOrNear(X)], &[Approach(X)],
         Motion::Go, "Notices a thing that is near, or walks up to it."),
     rule(Verb::TurnTo, 1, &[Other(X)], &[Face(X)],
         Motion::Look, "Turns towards a thing, near or not.")
-        .aims(aim::TURNING),
+        .aims(aim_sets::TURNING),
     rule(Verb::LookAt, 1, &[Facing(X)], &[],
         Motion::Look, "Looks at a thing one faces, or that is faced by what one faces."),
     rule(Verb::PointAt, 1, &[Facing(X)], &[],
         Motion::Point, "Points at a thing one faces.")
-        .aims(aim::POINTING),
+        .aims(aim_sets::POINTING),
     rule(Verb::Watch, 1, &[Affords(X, Property::Lookable), SameRoom(X), Accessible(X), Facing(X)], &[],
         Motion::Look, "Watches a screen or picture in the same room."),
     rule(Verb::Grab, 1, &[Graspable(X), NotElsewhereHeld(X), Accessible(X), FreeHandOrHolding(X), Near(X)], &[Hold(X)],
         Motion::Hold, "Takes a thing into a free hand, with all that lies on it. Grabbing what one holds changes nothing.")
-        .aims(aim::TAKING),
+        .aims(aim_sets::TAKING),
     rule(Verb::Place, 2, &[Carries(Y), Fits(X, Y), Holding(X), Accessible(Y), Near(Y)], &[PutOn(X, Y)],
         Motion::Hold, "Puts a held thing on a surface.")
-        .aims(aim::PUTTING),
+        .aims(aim_sets::PUTTING),
     rule(Verb::PutIn, 2, &[Encloses(Y), Fits(X, Y), Holding(X), Accessible(Y), Accepts(Y), Near(Y)], &[PutInto(X, Y)],
         Motion::Hold, "Puts a held thing into a container, which must be open if it opens.")
-        .aims(aim::PUTTING),
+        .aims(aim_sets::PUTTING),
     rule(Verb::PutBack, 1, &[Holding(X), OriginNear(X)], &[PutWhereItWas(X)],
         Motion::Hold, "Puts a held thing back where it was taken from; that must be near, and open if it opens."),
     rule(Verb::Drop, 1, &[Holding(X)], &[LetGo(X)],
         Motion::Hold, "Lets a held thing go: it is in the room, on nothing in particular.")
-        .aims(aim::DROPPING),
+        .aims(aim_sets::DROPPING),
     rule(Verb::Open, 1, &[Affords(X, Property::Openable), In(X, State::Closed), SafeToOpen(X), FreeHand, Accessible(X), Near(X)],
         &[Enter(X, State::Open)],
         Motion::Reach, "Opens what is closed; machines only when they are off, fridges and ovens at any time."),
@@ -106,7 +107,7 @@ pub static RULES: &[ActionRule] = &[
     rule(Verb::Sit, 1, &[Affords(X, Property::Sittable), SeatFree(X), Steady(X), NotSitting, Near(X)],
         &[SitOn(X)],
         Motion::Sit, "Sits down; one then faces what the seat faces. One may sit up from lying.")
-        .aims(aim::SITTING),
+        .aims(aim_sets::SITTING),
     rule(Verb::Lie, 1, &[Affords(X, Property::Lieable), BedFree(X), Steady(X), NotLying, Near(X)],
         &[LieOn(X)],
         Motion::Sit, "Lies down; one may lie down from sitting."),
