@@ -54,6 +54,9 @@ pub enum EditError {
     /// A relation that gives a location cannot be set directly.
     #[error("`{0}` gives an object's location; use `place`, `hold` or `move_to_room`")]
     NotFree(Relation),
+    /// A relation that is none of the hands'.
+    #[error("`{0}` is no hand; use `holds_right` or `holds_left`")]
+    NotAHand(Relation),
     /// A relation that does not give a location.
     #[error("`{0}` gives no support, container or wearer; use `relate`, `hold` or `move_to_room`")]
     NotAPlace(Relation),

@@ -122,6 +122,36 @@ impl Edit<'_> {
         }
         let full = EditError::HandsFull { agent: self.graph.label(agent) };
         let hand = self.graph.free_hand(agent).ok_or(full)?;
+        self.hold_in(agent, hand, id)
+    }
+
+    /// Puts a node into one of an agent's hands, [`Relation::HoldsRight`] or [`Relation::HoldsLeft`], out of the other
+    /// one as well; it no longer rests anywhere else.
+    ///
+    /// ```
+    /// use vc_graph::{Draft, Relation, SceneBuilder};
+    /// let mut scene = SceneBuilder::new("flat");
+    /// let kitchen = scene.add(Draft::new("kitchen"))?;
+    /// let (apple, me) = (scene.add_in(kitchen, Draft::new("apple"))?, scene.add_in(kitchen, Draft::new("character"))?);
+    /// let mut graph = scene.build();
+    /// let mut edit = graph.edit();
+    /// edit.hold_in(me, Relation::HoldsLeft, apple)?;
+    /// edit.commit();
+    /// assert_eq!(graph.holder(apple).map(|place| place.relation), Some(Relation::HoldsLeft));
+    /// # Ok::<(), vc_graph::EditError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`Edit::hold`]; [`EditError::NotAHand`], [`EditError::HandsFull`] if that hand holds something else.
+    pub fn hold_in(&mut self, agent: NodeId, hand: Relation, id: NodeId) -> Result<(), EditError> {
+        self.check_kind(agent, NodeKind::Agent, "agent")?;
+        self.check(id)?;
+        if !Relation::hands().contains(&hand) {
+            return Err(EditError::NotAHand(hand));
+        }
+        if self.graph.related(agent, hand).any(|held| held != id) {
+            return Err(EditError::HandsFull { agent: self.graph.label(agent) });
+        }
         if id == agent || self.graph.rests_at(agent, id) {
             let (thing, at) = (self.graph.label(id), self.graph.label(agent));
             return Err(EditError::SupportCycle { thing, at });
