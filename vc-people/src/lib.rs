@@ -21,6 +21,7 @@
 
 #![warn(clippy::disallowed_methods)]
 
+mod activity;
 mod bone;
 pub mod clothes;
 mod pose;
@@ -31,8 +32,8 @@ mod skeleton;
 use vc_graph::asset::AssetError;
 use vc_graph::{Anthropometry, AssetId, AssetLibrary, Bounds};
 
+pub use activity::{Activity, BodyPosture};
 pub use bone::{BodySide, Bone};
-pub use pose::{Activity, BodyPosture};
 pub use reach::Reach;
 pub use shape::palm;
 pub use skeleton::Skeleton;

@@ -5,6 +5,7 @@ use vc_graph::portable::Portable;
 use vc_graph::{Motion, Pose};
 
 use super::ADULT;
+use super::activity::{Activity, BodyPosture};
 use super::bone::{BodySide, Bone, LEG};
 use super::reach::{Reach, TrunkBend};
 use super::shape::palm;
@@ -23,50 +24,6 @@ const ASIDE: f32 = 0.3;
 /// From the ankle to the ball of the foot, metres.
 const SOLE: f32 = 0.13;
 
-/// The activity of a body beside standing, sitting or lying.
-///
-/// ```
-/// use vc_people::{Activity, BodyPosture, Bone, BodySide, Skeleton};
-/// // In the middle of a step the feet are at different places.
-/// let walking = Activity { walked: Some(0.35), ..Activity::default() };
-/// let skeleton = Skeleton::new(BodyPosture::Standing, &walking, [None, None]);
-/// let ankle = |side| skeleton.motion(Bone::Foot(side)) * Bone::Foot(side).anchor();
-/// assert!((ankle(BodySide::Left).x - ankle(BodySide::Right).x).abs() > 0.3);
-/// ```
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct Activity {
-    /// The distance walked so far, metres.
-    pub walked: Option<f32>,
-    /// A gesture, and the time since it began, seconds.
-    pub gesture: Option<(Motion, f32)>,
-    /// The point that it keeps in view while it stands.
-    pub gaze: Option<Point3<f32>>,
-    /// A reaching hand.
-    pub reach: Option<Reach>,
-    /// The pose from which it comes into this one, and the share of the way done, 0 to 1.
-    pub transition: Option<(Skeleton, f32)>,
-}
-
-/// The posture of a body, in its own frame: the origin is between the feet, or on the seat.
-///
-/// ```
-/// use vc_people::{Activity, BodyPosture, Skeleton};
-/// let height = |posture| Skeleton::new(posture, &Activity::default(), [None, None]).eyes().translation.z;
-/// assert!(height(BodyPosture::Standing) > 1.5);
-/// // The frame of a seated body is on the seat.
-/// assert!(height(BodyPosture::Sitting(0.45)) < 1.0);
-/// ```
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
-pub enum BodyPosture {
-    /// On its feet.
-    Standing,
-    /// On a seat at this height above the floor, metres.
-    Sitting(f32),
-    /// On its back.
-    Lying,
-}
-
 impl Skeleton {
     /// The pose of a body: its posture, what it does, and where its hands are to be, all in
     /// its own frame.
@@ -84,11 +41,14 @@ impl Skeleton {
         for (side, point) in BodySide::BOTH.into_iter().zip(hands).filter_map(|(side, hand)| Some((side, hand?))) {
             skeleton.put_hand(side, point);
         }
+        for (side, palm) in BodySide::BOTH.into_iter().zip(activity.palms).filter_map(|(s, palm)| Some((s, palm?))) {
+            skeleton.put_palm(side, &palm);
+        }
         skeleton
     }
 
     fn stand(&mut self, activity: &Activity, carries: bool) {
-        let stoop = activity.reach.map_or_else(TrunkBend::default, |reach| TrunkBend::to(&reach, None));
+        let stoop = TrunkBend::of(activity, None);
         let bob = activity.walked.map_or(0.0, |way| 0.018 * (1.0 - (2.0 * phase(way)).cosine()));
         let hips = stoop.hips();
         self.carry(Pose::translation(hips.x, 0.0, hips.z - bob));
@@ -110,6 +70,11 @@ impl Skeleton {
     /// Turns the head towards what is reached for, as far as a neck turns, and upright however the
     /// chest is bent.
     fn look(&mut self, activity: &Activity) {
+        if let Some((left, up)) = activity.head {
+            let chest = self.motion(Bone::Chest).rotation.inverse();
+            let yaw = left.clamp(-NECK.0, NECK.0);
+            return self.turn(Bone::Head, chest * head(yaw, -up.clamp(-NECK.1, NECK.1)));
+        }
         let Some(Reach { point, gaze, .. }) = activity.reach.filter(|reach| reach.gaze > 0.0) else { return };
         let own = |s: &Self| s.motion(Bone::Chest).rotation.inverse() * s.motion(Bone::Head).rotation;
         let rest = own(self);
@@ -130,7 +95,7 @@ impl Skeleton {
             let ahead = way.x.max(0.2 * way.coords.norm());
             let yaw = towards(0.0, way.y.angle_to(ahead), NECK.0);
             let down = towards(glance, (-way.z).angle_to(ahead.hypotenuse(way.y)), NECK.1);
-            self.turn(Bone::Head, chest * UnitQuaternion::from_axis_angle(&Vector3::z_axis(), yaw) * pitch(down));
+            self.turn(Bone::Head, chest * head(yaw, down));
         }
     }
 
@@ -144,7 +109,7 @@ impl Skeleton {
 
     fn sit(&mut self, height: f32, activity: &Activity) {
         let seat = Pose::translation(-0.1, 0.0, 0.09 - Bone::Pelvis.anchor().z);
-        let stoop = activity.reach.map_or_else(TrunkBend::default, |reach| TrunkBend::to(&reach, Some(seat)));
+        let stoop = TrunkBend::of(activity, Some(seat));
         self.carry(seat);
         self.turn(Bone::Chest, stoop.chest() * pitch(-0.08));
         self.look(activity);
@@ -173,10 +138,16 @@ impl Skeleton {
         let swing = activity.walked.map_or(0.0, |way| 0.42 * (phase(way)).sine() * side.sign());
         let own = pitch(swing) * roll(0.08 * side.sign());
         // While the other one reaches it hangs down.
-        let down = if activity.reach.is_some() { self.motion(Bone::Chest).rotation.inverse() } else { own };
+        let reaches = activity.reach.is_some() || activity.palms.iter().any(Option::is_some);
+        let down = if reaches { self.motion(Bone::Chest).rotation.inverse() } else { own };
         self.turn(Bone::UpperArm(side), own.slerp(&down, HANGS));
         self.turn(Bone::Forearm(side), pitch(-0.25 - 0.5 * (-swing).max(0.0)));
     }
+}
+
+/// The direction of a head that is turned to the left and down from straight ahead.
+fn head(left: f32, down: f32) -> UnitQuaternion<f32> {
+    UnitQuaternion::from_axis_angle(&Vector3::z_axis(), left) * pitch(down)
 }
 
 fn roll(angle: f32) -> UnitQuaternion<f32> {

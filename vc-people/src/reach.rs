@@ -4,8 +4,9 @@ use nalgebra::{Point3, UnitQuaternion, Vector3};
 use vc_graph::Pose;
 
 use super::ADULT;
+use super::activity::Activity;
 use super::bone::{ARM, BodySide, Bone, LEG};
-use super::skeleton::{STRETCH, about, pitch};
+use super::skeleton::{FOREARM, STRETCH, about, pitch, wrist};
 
 /// Backward motion of the hips per metre of a squat.
 const BACK: f32 = 0.2;
@@ -59,21 +60,41 @@ const WAYS: [(TrunkBend, [usize; 2]); 4] = [
 ];
 const LOWEST: TrunkBend = TrunkBend { bend: ADULT.bend, twist: ADULT.twist, lean: ADULT.sway, rise: -ADULT.squat };
 
+/// A point that an arm of a length is to reach, metres.
+#[derive(Debug, Clone, Copy)]
+struct Stretch {
+    side: BodySide,
+    point: Point3<f32>,
+    arm: f32,
+}
+
 impl TrunkBend {
-    /// The smallest stoop with which the hand reaches a point, or the one that brings the hand nearest. The
-    /// hips of a seated figure stay where they are.
-    pub(super) fn to(reach: &Reach, seat: Option<Pose>) -> Self {
-        let length = (ARM[0] + ARM[1]) * STRETCH;
+    /// The stoop for what a body does with its hands. The hips of a seated figure stay where they are.
+    pub(super) fn of(activity: &Activity, seat: Option<Pose>) -> Self {
+        let placed = BodySide::BOTH.into_iter().zip(activity.palms);
+        let mut all: Vec<Stretch> = placed.filter_map(|(side, palm)| Some(Stretch::to_wrist(side, &palm?))).collect();
+        let share = activity.reach.filter(|_| all.is_empty()).map_or(1.0, |reach| reach.share);
+        all.extend(activity.reach.filter(|_| all.is_empty()).map(|reach| Stretch::to_palm(&reach)));
+        Self::to(&all, seat).scaled(share)
+    }
+
+    /// The smallest stoop with which the hands reach their points, or the one that brings them nearest.
+    fn to(all: &[Stretch], seat: Option<Pose>) -> Self {
         let tried = (0..=3 * STEPS).flat_map(|i| WAYS.map(|(end, stages)| end.after(i, stages)));
         let tried = tried.map(|stoop| match seat {
             Some(_) => Self { lean: 0.0, rise: 0.0, ..stoop },
             None => stoop,
         });
-        let tried = tried.map(|stoop| Self { twist: -reach.side.sign() * stoop.twist, ..stoop });
-        let short = |stoop: &Self| (reach.point - stoop.shoulder(reach.side, seat.as_ref())).norm().max(length);
-        let best = tried.min_by(|a, b| short(a).total_cmp(&short(b)));
-        let Self { bend, twist, lean, rise } = best.unwrap_or_default();
-        let share = reach.share;
+        // The shoulder of the hand that reaches comes forward; two hands leave the trunk straight.
+        let side: f32 = all.iter().map(|to| -to.side.sign()).sum();
+        let tried = tried.map(|stoop| Self { twist: side * stoop.twist, ..stoop });
+        let far = |stoop: &Self, to: &Stretch| (to.point - stoop.shoulder(to.side, seat.as_ref())).norm().max(to.arm);
+        let short = |stoop: &Self| all.iter().map(|to| far(stoop, to)).sum::<f32>();
+        tried.min_by(|a, b| short(a).total_cmp(&short(b))).unwrap_or_default()
+    }
+
+    fn scaled(self, share: f32) -> Self {
+        let Self { bend, twist, lean, rise } = self;
         Self { bend: bend * share, twist: twist * share, lean: lean * share, rise: rise * share }
     }
 
@@ -105,5 +126,16 @@ impl TrunkBend {
     fn shoulder(&self, side: BodySide, seat: Option<&Pose>) -> Point3<f32> {
         let bent = about(Bone::Chest.anchor(), self.chest()) * Bone::UpperArm(side).anchor();
         seat.map_or_else(|| bent + self.hips(), |seat| seat * bent)
+    }
+}
+
+impl Stretch {
+    fn to_palm(reach: &Reach) -> Self {
+        Self { side: reach.side, point: reach.point, arm: (ARM[0] + ARM[1]) * STRETCH }
+    }
+
+    /// A palm with an orientation is reached by its wrist.
+    fn to_wrist(side: BodySide, palm: &Pose) -> Self {
+        Self { side, point: wrist(side, palm), arm: (ARM[0] + FOREARM) * STRETCH }
     }
 }

@@ -7,9 +7,13 @@ use vc_graph::Pose;
 use vc_graph::portable::Portable;
 
 use super::bone::{ARM, BodySide, Bone, LEG};
+use super::shape::palm;
 
 /// The greatest stretch of an arm, as a share of its length.
 pub(super) const STRETCH: f32 = 0.985;
+/// Length from the elbow to the wrist, and from there to the palm, metres.
+pub(super) const FOREARM: f32 = ARM[1] - WRIST;
+const WRIST: f32 = 0.08;
 /// The eyes' place from the neck: before the face.
 const EYES: Vector3<f32> = Vector3::new(0.14, 0.0, 0.13);
 
@@ -94,13 +98,55 @@ impl Skeleton {
 
     /// Bends an arm so that the palm is at a point of the body's frame, or as near as it gets.
     pub(super) fn put_hand(&mut self, side: BodySide, point: Point3<f32>) {
+        self.bend_arm(side, point, ARM);
+    }
+
+    /// Bends an arm and turns the hand so that the palm has a pose in the body's frame, or as near as the arm gets.
+    pub(super) fn put_palm(&mut self, side: BodySide, palm: &Pose) {
+        self.bend_arm(side, wrist(side, palm), [ARM[0], FOREARM]);
+        let forearm = self.motion(Bone::Forearm(side)).rotation.inverse();
+        self.turn(Bone::Hand(side), forearm * palm.rotation * hanging(side).inverse());
+    }
+
+    /// The pose of a palm in the body's frame: the point in its middle, X along the fingers, Z out of the back of the
+    /// hand.
+    ///
+    /// ```
+    /// use vc_graph::Pose;
+    /// use vc_people::{Activity, BodyPosture, BodySide, Skeleton};
+    /// let ahead = Pose::translation(0.4, -0.2, 1.1);
+    /// let activity = Activity { palms: [Some(ahead), None], ..Activity::default() };
+    /// let skeleton = Skeleton::new(BodyPosture::Standing, &activity, [None, None]);
+    /// let palm = skeleton.palm(BodySide::Right);
+    /// assert!((palm.translation.vector - ahead.translation.vector).norm() < 0.01);
+    /// assert!(palm.rotation.angle_to(&ahead.rotation) < 0.01);
+    /// ```
+    pub fn palm(&self, side: BodySide) -> Pose {
+        let motion = self.motion(Bone::Hand(side));
+        let rotation = UnitQuaternion::new_normalize((motion.rotation * hanging(side)).into_inner());
+        Pose::from_parts((motion * palm(side)).coords.into(), rotation)
+    }
+
+    fn bend_arm(&mut self, side: BodySide, end: Point3<f32>, bones: [f32; 2]) {
         let base = self.motion(Bone::Chest);
-        let way = base.inverse() * point - Bone::UpperArm(side).anchor();
-        let (bend, turn) = two_bones(&way, ARM, 1.0);
+        let way = base.inverse() * end - Bone::UpperArm(side).anchor();
+        let (bend, turn) = two_bones(&way, bones, 1.0);
         self.turn(Bone::UpperArm(side), turn);
         self.turn(Bone::Forearm(side), pitch(bend));
         self.turn(Bone::Hand(side), UnitQuaternion::identity());
     }
+}
+
+/// The wrist of a palm.
+pub(super) fn wrist(side: BodySide, at: &Pose) -> Point3<f32> {
+    let to_wrist = Bone::Hand(side).anchor() - palm(side);
+    at * Point3::from(hanging(side).inverse() * to_wrist)
+}
+
+/// The orientation of a hand that hangs down: its fingers point down, its back outwards.
+fn hanging(side: BodySide) -> UnitQuaternion<f32> {
+    let quarter = std::f32::consts::FRAC_PI_2;
+    pitch(quarter) * UnitQuaternion::from_axis_angle(&Vector3::x_axis(), -side.sign() * quarter)
 }
 
 /// The pose with its rotation brought back to unit length, which products of many rotations lose.
