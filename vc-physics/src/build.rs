@@ -65,6 +65,7 @@ impl PhysicsWorld {
             engine: Engine::new(settings.dt / settings.substeps as f32, settings.gravity),
             things: Vec::with_capacity(graph.len()),
             agents: BTreeMap::new(),
+            effectors: BTreeMap::new(),
             vehicles: BTreeMap::new(),
             waters: Waters::default(),
             driven: Vec::new(),

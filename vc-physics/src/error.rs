@@ -163,6 +163,17 @@ pub enum AgentError<N = NodeId> {
         /// The thing that is there.
         by: N,
     },
+    /// The goal of a guided hand is invalid.
+    #[error("a hand of {agent} cannot be guided: {why}")]
+    BadGoal {
+        /// The agent.
+        agent: N,
+        /// What is to be otherwise.
+        why: &'static str,
+    },
+    /// Nothing that could be held is between the fingers and the thumb.
+    #[error("{0} has nothing to hold between fingers and thumb; close the grip around something first")]
+    NothingBetween(N),
     /// The world refuses the call.
     #[error(transparent)]
     World(#[from] PhysicsError<N>),
@@ -221,6 +232,8 @@ impl<N> AgentError<N> {
             E::NoSuchSeat { seat, number, count } => E::NoSuchSeat { seat: name(seat), number, count },
             E::PlaceTaken { seat, number, by } => E::PlaceTaken { seat: name(seat), number, by: name(by) },
             E::SideTaken { id, side, by } => E::SideTaken { id: name(id), side, by: name(by) },
+            E::BadGoal { agent, why } => E::BadGoal { agent: name(agent), why },
+            E::NothingBetween(id) => E::NothingBetween(name(id)),
             E::World(error) => E::World(error.named(name)),
         }
     }

@@ -1,7 +1,8 @@
 //! Collision groups.
 //!
 //! Parts on joints collide with loose things and with agents, but neither with fixed things nor with other such
-//! parts: a drawer does not rub against the cupboard beside it. Carried things collide with nothing.
+//! parts: a drawer does not rub against the cupboard beside it. Carried things collide with nothing. Guided hands and
+//! what they hold collide as loose things do, but not with people, and nobody has to find a way around them.
 
 use rapier3d::geometry::{Collider, Group, InteractionGroups, InteractionTestMode};
 use vc_graph::NodeId;
@@ -13,6 +14,7 @@ const LEAF: Group = Group::GROUP_2;
 const LOOSE: Group = Group::GROUP_3;
 const AGENT: Group = Group::GROUP_4;
 const CARRIED: Group = Group::GROUP_5;
+const HAND: Group = Group::GROUP_6;
 
 fn groups(member: Group, of: Group) -> InteractionGroups {
     InteractionGroups::new(member, of, InteractionTestMode::And)
@@ -42,14 +44,19 @@ pub(crate) fn seated() -> InteractionGroups {
     groups(AGENT, AGENT)
 }
 
+/// Groups of a guided hand, and of what it holds.
+pub(crate) fn hand() -> InteractionGroups {
+    groups(LOOSE.union(HAND), FIXED.union(LEAF).union(LOOSE))
+}
+
 /// Groups of colliders that collide with nothing.
 pub(crate) fn nothing() -> InteractionGroups {
     groups(CARRIED, Group::NONE)
 }
 
-/// Whether a collider collides with anything.
+/// Whether a collider is in the way of anything: not what hands are and carry.
 pub(crate) fn is_solid(collider: &Collider) -> bool {
-    collider.collision_groups().memberships != CARRIED
+    !collider.collision_groups().memberships.intersects(CARRIED.union(HAND))
 }
 
 /// The mark of a node's part on its body and collider.

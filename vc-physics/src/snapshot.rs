@@ -8,7 +8,7 @@ use vc_graph::{Digest, NodeId, SceneGraph};
 
 use crate::engine::Engine;
 use crate::shapes::ShapeCache;
-use crate::state::{Agent, Places, Thing, ThingState, Vehicle, Waters};
+use crate::state::{Agent, Effector, Hand, Places, Thing, ThingState, Vehicle, Waters};
 use crate::world::PhysicsWorld;
 use crate::{Settings, SnapshotError};
 
@@ -55,7 +55,12 @@ impl PhysicsWorld {
             stopped: copy.stopped,
             skipped: copy.skipped,
         };
-        let body = postcard::to_allocvec(&content).map_err(|e| SnapshotError::Unwritable(e.to_string()))?;
+        let unwritable = |e: postcard::Error| SnapshotError::Unwritable(e.to_string());
+        let mut body = postcard::to_allocvec(&content).map_err(unwritable)?;
+        // They follow only where there are any.
+        if !copy.effectors.is_empty() {
+            body.extend(postcard::to_allocvec(&copy.effectors).map_err(unwritable)?);
+        }
         let mut bytes = MAGIC.to_vec();
         bytes.extend(VERSION.to_le_bytes());
         bytes.extend(checksum(&body).to_le_bytes());
@@ -83,7 +88,7 @@ impl PhysicsWorld {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn restore(bytes: &[u8], graph: &SceneGraph, shapes: &ShapeCache) -> Result<Self, SnapshotError> {
-        let content = decoded(bytes)?;
+        let (content, effectors) = decoded(bytes)?;
         let other = |id: NodeId| SnapshotError::OtherScene(graph.label(id));
         let things = shapes.session(graph.assets(), |session| {
             let form = |(id, state): (NodeId, ThingState)| {
@@ -99,6 +104,7 @@ impl PhysicsWorld {
             engine: content.engine,
             things,
             agents: content.agents,
+            effectors,
             vehicles: content.vehicles,
             waters: content.waters,
             driven: content.driven,
@@ -134,13 +140,17 @@ impl PhysicsWorld {
             }
         }
         self.agents.iter().for_each(|(id, agent)| agent.feed(*id, &mut hash));
+        self.effectors.values().for_each(|effector| effector.feed(&mut hash));
         self.waters.feed(&mut hash);
         self.vehicles.iter().for_each(|(id, vehicle)| vehicle.feed(*id, &mut hash));
         hash.digest()
     }
 }
 
-fn decoded(bytes: &[u8]) -> Result<Content, SnapshotError> {
+/// The guided hands of a world.
+type Effectors = BTreeMap<(NodeId, Hand), Effector>;
+
+fn decoded(bytes: &[u8]) -> Result<(Content, Effectors), SnapshotError> {
     let head = bytes.get(..HEAD).filter(|h| h.starts_with(MAGIC)).ok_or(SnapshotError::NotASnapshot)?;
     let number = |from: usize, to: usize| head[from..to].iter().rev().fold(0_u64, |n, b| n << 8 | u64::from(*b));
     let found = number(8, 12) as u32;
@@ -151,7 +161,9 @@ fn decoded(bytes: &[u8]) -> Result<Content, SnapshotError> {
     if checksum(body) != number(12, 20) {
         return Err(SnapshotError::Damaged);
     }
-    postcard::from_bytes(body).map_err(|_| SnapshotError::Damaged)
+    let (content, rest) = postcard::take_from_bytes(body).map_err(|_| SnapshotError::Damaged)?;
+    let effectors = (!rest.is_empty()).then(|| postcard::from_bytes(rest)).transpose();
+    Ok((content, effectors.map_err(|_| SnapshotError::Damaged)?.unwrap_or_default()))
 }
 
 fn checksum(bytes: &[u8]) -> u64 {

@@ -15,6 +15,7 @@ impl PhysicsWorld {
         let awake: Vec<RigidBodyHandle> = self.engine.awake_bodies().collect();
         let fixed = self.engine.fixed_among(&awake);
         self.move_agents();
+        self.work_hands();
         for _ in 0..self.settings.substeps {
             self.push_vehicles();
             self.push_floating();
@@ -23,6 +24,7 @@ impl PhysicsWorld {
             stopped.into_iter().for_each(|b| self.stop(b));
         }
         self.engine.keep(&fixed);
+        self.follow_hands();
         self.tend_motors();
         self.watch();
         self.record_sleepers(&awake);

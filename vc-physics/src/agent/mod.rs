@@ -4,6 +4,7 @@ mod aside;
 mod avoid;
 mod exit;
 mod hands;
+mod put_down;
 mod reach;
 mod room;
 mod seat;
@@ -147,12 +148,16 @@ impl PhysicsWorld {
 
     /// Moves an agent's body and the things in its hands to the agent's pose: at once, or in the course of the next
     /// step.
-    fn embody(&mut self, id: NodeId, at_once: bool) {
+    pub(crate) fn embody(&mut self, id: NodeId, at_once: bool) {
         let Some(agent) = self.agents.get(&id) else { return };
         let (body, feet) = (agent.body, convert::pose(&agent.feet));
         let (shape, at, groups) = agent.plan.body(agent.posture);
-        let held = agent.holdings();
+        let stands = agent.feet;
+        // What is fastened to a guided hand moves by itself.
+        let moved = |held: &(NodeId, Pose)| at_once || !self.is_fastened(held.0);
+        let held: Vec<(NodeId, Pose)> = agent.holdings().into_iter().filter(moved).collect();
         if at_once {
+            self.take_hands_along(id, &stands);
             let colliders = self.engine.bodies.get(body).map_or_else(Vec::new, |b| b.colliders().to_vec());
             for collider in colliders {
                 if let Some(collider) =

@@ -10,12 +10,9 @@ use rapier3d::pipeline::QueryFilter;
 use vc_graph::NodeId;
 
 use crate::convert::facing;
-use crate::state::{Agent, BodyPlan};
+use crate::state::{Agent, BodyPlan, PUSH};
 use crate::world::PhysicsWorld;
 use crate::{convert, group};
-
-/// The largest force with which a walker pushes things aside, newtons.
-const PUSH: f32 = 150.0;
 
 /// The largest depth by which the feet of a placed agent are lifted onto a thing on the floor, metres.
 /// Otherwise the agent would throw up a rug with everything on it.
@@ -53,7 +50,7 @@ impl PhysicsWorld {
         if grounded && !ends {
             agent.floor = agent.feet.translation.z;
         }
-        if wish.norm() > 0.05 {
+        if wish.norm() > 0.05 && agent.walk.is_ahead() {
             agent.feet.rotation = facing(wish.x, wish.y);
         }
         let at = agent.feet.translation.vector.xy().into();

@@ -1,6 +1,7 @@
 //! Walking: velocities, paths, and avoidance of other walkers.
 
-use nalgebra::{Point2, Point3, UnitQuaternion, Vector2, Vector3};
+use nalgebra::{Point2, Point3, Quaternion, UnitQuaternion, Vector2, Vector3};
+use vc_graph::portable::Portable;
 use vc_graph::{NodeId, Pose};
 
 use super::avoid::{self, Walker};
@@ -11,6 +12,9 @@ use crate::{AgentError, PhysicsError, convert};
 
 /// Number of steps between ground checks of an agent that stands still.
 const GLANCE: u64 = 8;
+
+/// The fastest turn, radians per second.
+const FASTEST_TURN: f32 = 5.0;
 
 /// Height of a standing jump, metres (the mean of adults in vertical jump tests).
 const JUMP: f32 = 0.4;
@@ -32,7 +36,7 @@ impl WalkState {
         match motion {
             Motion::Still => Self::Still,
             Motion::Stuck => Self::Stuck,
-            Motion::Going(_) | Motion::Along { .. } => Self::Walking,
+            Motion::Going(_) | Motion::Along { .. } | Motion::Drifting { .. } => Self::Walking,
         }
     }
 }
@@ -61,6 +65,36 @@ impl PhysicsWorld {
         let agent = self.standing_mut(id)?;
         let v = velocity * (agent.plan.run / velocity.norm().max(agent.plan.run));
         agent.walk = if v == Vector2::zeros() { Motion::Still } else { Motion::Going([v.x, v.y]) };
+        Ok(())
+    }
+
+    /// Lets an agent move at a velocity ahead and to the left, metres per second, no faster than its running speed, and
+    /// turn at a rate, radians per second to the left and at most five, until told otherwise. Zero stops it.
+    ///
+    /// # Errors
+    /// As [`Self::go`].
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
+    /// world.teleport(home.person, vc_graph::Pose::translation(0.0, -1.0, 0.0))?;
+    /// world.drift(home.person, nalgebra::Vector2::new(-0.5, 0.0), 0.0)?; // Backwards.
+    /// world.run(60);
+    /// assert!(world.pose(home.person).is_some_and(|feet| feet.translation.x < -0.4 && feet.rotation.w == 1.0));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn drift(&mut self, id: NodeId, velocity: Vector2<f32>, spin: f32) -> Result<(), AgentError> {
+        if !spin.is_finite() {
+            return Err(PhysicsError::NotFinite("the turn", id).into());
+        }
+        self.go(id, velocity)?;
+        let spin = spin.clamp(-FASTEST_TURN, FASTEST_TURN);
+        let walk = &mut self.standing_mut(id)?.walk;
+        *walk = match (&walk, spin) {
+            (Motion::Going(velocity), _) => Motion::Drifting { velocity: *velocity, spin },
+            (_, 0.0) => Motion::Still,
+            _ => Motion::Drifting { velocity: [0.0; 2], spin },
+        };
         Ok(())
     }
 
@@ -170,6 +204,7 @@ impl PhysicsWorld {
         if self.agents.is_empty() {
             return;
         }
+        self.turn_drifting();
         let wishes = self.wishes();
         for (id, wish) in wishes {
             let Some(agent) = self.agents.get(&id) else { continue };
@@ -183,6 +218,18 @@ impl PhysicsWorld {
         }
     }
 
+    /// Turns agents that drift.
+    fn turn_drifting(&mut self) {
+        let dt = self.settings.dt;
+        for agent in self.agents.values_mut() {
+            if let Some((_, turn)) = agent.walk.drift(dt).filter(|(_, turn)| *turn != 0.0) {
+                let (sin, cos) = (turn / 2.0).sine_cosine();
+                let turn = UnitQuaternion::new_normalize(Quaternion::new(cos, 0.0, 0.0, sin));
+                agent.feet.rotation = UnitQuaternion::new_normalize((agent.feet.rotation * turn).into_inner());
+            }
+        }
+    }
+
     /// The velocities of the agents: their wishes, corrected so that they do not run into each other.
     fn wishes(&self) -> Vec<(NodeId, Vector2<f32>)> {
         let dt = self.settings.dt;
@@ -190,7 +237,10 @@ impl PhysicsWorld {
         let walker = |a: &Agent| Walker {
             at: a.feet.translation.vector.xy().into(),
             velocity: a.velocity.into(),
-            wish: a.walk.wish(a.feet.translation.vector.xy().into(), dt),
+            wish: match a.walk.drift(dt) {
+                Some((own, _)) => (a.feet.rotation * own.push(0.0)).xy(),
+                None => a.walk.wish(a.feet.translation.vector.xy().into(), dt),
+            },
             radius: a.plan.radius + 0.03,
             fastest: a.plan.run,
         };

@@ -47,27 +47,54 @@ impl PhysicsWorld {
     /// ```
     pub fn drive(&mut self, id: NodeId, part: usize, open: f32) -> Result<(), PhysicsError> {
         let target = self.target(id, part, open)?;
-        self.pinned_on((id, part + 1)).into_iter().try_for_each(|rider| self.wake(rider))?;
+        if self.thing(id)?.state.moving[part].body.is_none() {
+            self.pinned_on((id, part + 1)).into_iter().try_for_each(|rider| self.wake(rider))?;
+            return self.put_part(id, part, open);
+        }
+        self.loosen_part(id, part)?;
         let index = self.index(id)?;
         let patience = (PATIENCE / self.settings.dt) as u32;
         let thing = &mut self.things[index];
-        let Some(body) = thing.state.moving[part].body else { return self.put_part(id, part, open) };
         let (moving, kind) = (&mut thing.state.moving[part], joint_kind(&thing.form.links[part + 1]));
-        (moving.target, moving.patience, moving.latched) = (Some(target), patience, false);
-        if let Some(rigid) = self.engine.bodies.get_mut(body) {
+        (moving.target, moving.patience) = (Some(target), patience);
+        if let Some(joint) = moving.joint.and_then(|j| self.engine.joints.get_mut(j, true)) {
+            joint.data.set_motor_model(axis(kind), MotorModel::AccelerationBased);
+            joint.data.set_motor_max_force(axis(kind), STRENGTH);
+        }
+        self.driven.push((id, part));
+        let position = self.part_position(&self.things[index], part).unwrap_or(target);
+        self.things[index].state.moving[part].position = position;
+        self.turn_on(index, part);
+        Ok(())
+    }
+
+    /// Lets a part with a body of its own move between its limits, if it is not locked: its latch is off, and things that
+    /// were pinned to it are free.
+    pub(crate) fn loosen_part(&mut self, id: NodeId, part: usize) -> Result<(), PhysicsError> {
+        if self.check_part(id, part)?.locked {
+            return Err(PhysicsError::Locked(id));
+        }
+        self.pinned_on((id, part + 1)).into_iter().try_for_each(|rider| self.wake(rider))?;
+        self.driven.retain(|d| *d != (id, part));
+        let index = self.index(id)?;
+        let thing = &mut self.things[index];
+        let (moving, kind) = (&mut thing.state.moving[part], joint_kind(&thing.form.links[part + 1]));
+        (moving.target, moving.latched) = (None, false);
+        if let Some(rigid) = moving.body.and_then(|body| self.engine.bodies.get_mut(body)) {
             rigid.set_body_type(RigidBodyType::Dynamic, true);
             rigid.wake_up(true);
         }
         if let Some(joint) = moving.joint.and_then(|j| self.engine.joints.get_mut(j, true)) {
             joint.data.set_limits(axis(kind), [moving.limits.0, moving.limits.1]);
-            joint.data.set_motor_model(axis(kind), MotorModel::AccelerationBased);
-            joint.data.set_motor_max_force(axis(kind), STRENGTH);
         }
-        self.driven.retain(|d| *d != (id, part));
-        self.driven.push((id, part));
-        let position = self.part_position(&self.things[index], part).unwrap_or(target);
-        self.things[index].state.moving[part].position = position;
-        self.turn_on(index, part);
+        Ok(())
+    }
+
+    /// Leaves a part as far open as it is: friction holds it there, or its latch.
+    pub(crate) fn leave_part(&mut self, id: NodeId, part: usize) -> Result<(), PhysicsError> {
+        self.check_part(id, part)?;
+        let index = self.index(id)?;
+        self.settle_part(index, part);
         Ok(())
     }
 
@@ -160,6 +187,11 @@ impl PhysicsWorld {
         self.driven.retain(|d| *d != (id, part));
         self.settle_part(index, part);
         Ok(())
+    }
+
+    /// Whether a part is there and locked.
+    pub(crate) fn is_locked(&self, id: NodeId, part: usize) -> bool {
+        self.check_part(id, part).is_ok_and(|moving| moving.locked)
     }
 
     fn check_part(&self, id: NodeId, part: usize) -> Result<&Moving, PhysicsError> {

@@ -1,6 +1,6 @@
 //! The state of an agent: where it stands, walks or sits, and the things in its hands.
 
-use nalgebra::{Point3, Vector3};
+use nalgebra::{Point3, Quaternion, UnitQuaternion, Vector3};
 use rapier3d::dynamics::RigidBodyHandle;
 use serde::{Deserialize, Serialize};
 use vc_graph::hash::Digester;
@@ -16,6 +16,11 @@ use crate::convert::facing;
 const AHEAD: f32 = 0.3;
 const ASIDE: f32 = 0.2;
 const CHEST: f32 = 0.74;
+/// Height of a hand that hangs down as a share of the body's height, its height above a seat, and its distance from the
+/// middle of the body, metres.
+const DOWN: f32 = 0.42;
+const ON_SEAT: f32 = 0.15;
+const BESIDE: f32 = 0.27;
 
 /// An agent's body.
 #[derive(Clone, Debug, Serialize, Deserialize)]
@@ -106,6 +111,20 @@ impl Agent {
     /// Position of a hand relative to the feet: before the chest.
     pub(crate) fn hand(&self, hand: Hand) -> Point3<f32> {
         Point3::new(self.plan.radius + AHEAD, ASIDE * hand.side(), CHEST * self.plan.height)
+    }
+
+    /// The pose relative to the feet of a hand that carries something: its fingers point ahead.
+    pub(crate) fn hand_pose(&self, hand: Hand) -> Pose {
+        let at = self.hand(hand);
+        self.lap() * Pose::translation(at.x, at.y, at.z)
+    }
+
+    /// The pose relative to the feet, or to the seat, of a hand at the end of an arm that hangs down: its fingers point
+    /// down.
+    pub(crate) fn arm_down(&self, hand: Hand) -> Pose {
+        let low = if self.posture == Posture::Standing { DOWN * self.plan.height } else { ON_SEAT };
+        let turn = UnitQuaternion::from_quaternion(Quaternion::new(0.5, -0.5 * hand.side(), 0.5, 0.5 * hand.side()));
+        Pose::from_parts([0.0, BESIDE * hand.side(), low].into(), turn)
     }
 
     /// Whether two bodies are in one place; an agent and itself are.

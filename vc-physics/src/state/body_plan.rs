@@ -10,6 +10,9 @@ use crate::group;
 /// The person whose measures agents have.
 pub(crate) const ADULT: Anthropometry = Anthropometry::ADULT;
 
+/// The largest force with which a body pushes and pulls, newtons.
+pub(crate) const PUSH: f32 = 150.0;
+
 /// The build of an agent and its physical limits.
 ///
 /// ```

@@ -6,6 +6,7 @@
 
 mod agent;
 mod body_plan;
+mod effector;
 mod hand;
 mod motion;
 mod thing;
@@ -14,8 +15,10 @@ mod watch;
 mod water;
 
 pub(crate) use agent::{Agent, upright};
-pub(crate) use body_plan::ADULT;
+pub(crate) use body_plan::{ADULT, PUSH};
 pub use body_plan::{BodyPlan, Posture};
+pub use effector::HandGoal;
+pub(crate) use effector::{Effector, Grasp};
 pub use hand::Hand;
 pub(crate) use hand::{Held, Loaded};
 pub(crate) use motion::Motion;

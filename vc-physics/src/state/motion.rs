@@ -27,13 +27,18 @@ pub(crate) enum Motion {
         idle: u32,
     },
     Stuck,
+    /// At a velocity ahead and to the left, turning at a rate, radians per second.
+    Drifting {
+        velocity: [f32; 2],
+        spin: f32,
+    },
 }
 
 impl Motion {
     /// The velocity that the motion asks for.
     pub(crate) fn wish(&self, at: Point2<f32>, dt: f32) -> Vector2<f32> {
         match self {
-            Self::Still | Self::Stuck => Vector2::zeros(),
+            Self::Still | Self::Stuck | Self::Drifting { .. } => Vector2::zeros(),
             Self::Going(v) => Vector2::new(v[0], v[1]),
             Self::Along { points, next, speed, .. } => {
                 let Some(to) = points.get(*next) else { return Vector2::zeros() };
@@ -43,6 +48,19 @@ impl Motion {
                 way.try_normalize(1e-6).map_or_else(Vector2::zeros, |d| d * fast)
             }
         }
+    }
+
+    /// The velocity that the motion asks for, ahead and to the left, and the turn in a step, radians.
+    pub(crate) fn drift(&self, dt: f32) -> Option<(Vector2<f32>, f32)> {
+        match self {
+            Self::Drifting { velocity, spin } => Some(((*velocity).into(), spin * dt)),
+            _ => None,
+        }
+    }
+
+    /// Whether the body turns to where it goes.
+    pub(crate) fn is_ahead(&self) -> bool {
+        !matches!(self, Self::Drifting { .. })
     }
 
     /// Continues after a step to a point: on to the next waypoint, or the end.

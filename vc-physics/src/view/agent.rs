@@ -12,8 +12,8 @@ use crate::{AgentError, PhysicsError, WalkState};
 /// [`held`](PhysicsWorld::held).
 #[derive(Clone, Copy)]
 pub struct AgentView<'w> {
-    world: &'w PhysicsWorld,
-    id: NodeId,
+    pub(super) world: &'w PhysicsWorld,
+    pub(super) id: NodeId,
     body: &'w Agent,
 }
 

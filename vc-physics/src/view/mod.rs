@@ -3,12 +3,14 @@
 
 mod agent;
 mod body;
+mod hand;
 mod parts;
 mod standing;
 mod vehicle;
 
 pub use agent::AgentView;
 pub use body::BodyView;
+pub use hand::GuidedHand;
 pub use parts::PartsView;
 pub use standing::StandingView;
 pub use vehicle::VehicleView;

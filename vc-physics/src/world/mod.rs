@@ -8,7 +8,7 @@ use std::sync::Arc;
 use vc_graph::{Aabb, NodeId, SceneGraph};
 
 use crate::engine::Engine;
-use crate::state::{Agent, Thing, Vehicle, Waters};
+use crate::state::{Agent, Effector, Hand, Thing, Vehicle, Waters};
 use crate::{AgentError, PhysicsError, Settings};
 
 /// The bodies of a scene's nodes, and their time.
@@ -23,6 +23,8 @@ pub struct PhysicsWorld {
     /// Sorted by node.
     pub(crate) things: Vec<Thing>,
     pub(crate) agents: BTreeMap<NodeId, Agent>,
+    /// The hands that are guided.
+    pub(crate) effectors: BTreeMap<(NodeId, Hand), Effector>,
     pub(crate) vehicles: BTreeMap<NodeId, Vehicle>,
     pub(crate) waters: Waters,
     /// Moving parts with an active motor, in the order in which they were started.

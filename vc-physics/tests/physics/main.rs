@@ -6,6 +6,7 @@ mod common;
 mod agents;
 mod determinism;
 mod fitting;
+mod guided_hands;
 mod joints;
 mod known_answers;
 mod navigation;
