@@ -18,6 +18,7 @@
 //! 16. [Several agents at the same time](#several-agents-at-the-same-time)
 //! 17. [Actions at points](#actions-at-points)
 //! 18. [Words of your own](#words-of-your-own)
+//! 19. [Control in every tick](#control-in-every-tick)
 //!
 //! # Many homes at once
 //!
@@ -622,5 +623,47 @@
 //! let task = Task::new("bless the fridge", "Blessed(fridge) & did bless(fridge)".parse()?);
 //! let episode = run_episode(&mut PlannerPolicy::best(), &task, &mut home);
 //! assert_eq!(episode.outcome, Outcome::Won);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # Control in every tick
+//!
+//! Beside actions there is the low level: [`Environment::control`](crate::Environment::control) gives a body a velocity, a turn,
+//! a direction of the head and goals of its hands, until the next control. Goals are in the body's own frame: X ahead, Y to
+//! the left, the origin between the feet. A hand that closes around something holds it if the rule allows it, and the graph says
+//! so; the example `hands` opens a drawer and takes a spoon out of it.
+//!
+//! ```
+//! use virtualcity::graph::clock::Span;
+//! use virtualcity::graph::{Action, Place, Relation};
+//! use virtualcity::nalgebra::{Point3, UnitQuaternion, Vector3};
+//! use virtualcity::physics::{Hand, HandGoal};
+//! use virtualcity::{Control, Environment};
+//!
+//! let mut home = Environment::make("apartment/42", 1)?;
+//! let (me, table) = (home.agents()[0], home.graph().of_class("dining_table")[0]);
+//! let glass = home.spawn("water_glass", Place { relation: Relation::On, at: table })?;
+//! home.set_action(me, Action::walk(glass))?;
+//!
+//! // Fingers ahead, the thumb on the left: at first above the glass and before it, then around it, then up.
+//! let feet = home.world().pose(me).ok_or("no body")?;
+//! let glass_at = feet.inverse() * home.world().aabb(glass).ok_or("no body")?.centre();
+//! let turn = UnitQuaternion::from_axis_angle(&Vector3::x_axis(), std::f32::consts::FRAC_PI_2);
+//! let pose = |back: f32, up: f32| {
+//!     let at: Point3<f32> = glass_at + Vector3::new(-back, 0.0, up);
+//!     virtualcity::graph::Pose::from_parts(at.coords.into(), turn)
+//! };
+//! for (pose, grip) in [(pose(0.2, 0.2), 0.0), (pose(0.15, 0.0), 0.0), (pose(0.0, 0.0), 0.0), (pose(0.0, 0.0), 1.0)] {
+//!     let hand = HandGoal { pose, grip, ..HandGoal::default() };
+//!     home.control(me, &Control { hands: [Some(hand), None], ..Control::default() })?;
+//!     home.step(Span::from_seconds(1.0));
+//! }
+//! let hand = home.controlled_hand(me, Hand::Right).ok_or("not under control")?;
+//! assert_eq!(hand.body.holds, Some((glass, None)), "{:?}", hand.refused);
+//! assert_eq!(home.graph().holder(glass).map(|place| place.relation), Some(Relation::HoldsRight));
+//!
+//! // Control ends, and an action goes on with it.
+//! home.interrupt(me);
+//! home.set_action(me, Action::place(glass, table))?;
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```

@@ -56,6 +56,7 @@
 //! | item | content |
 //! |---|---|
 //! | [`Environment`] | make, reset, observation, render, set action; save and restore |
+//! | [`Control`] | velocity, head and hands of a body in every tick, beside actions |
 //! | [`Batch`] | many environments, stepped on all cores |
 //! | [`check_environment`] | a test of the contract that environments keep |
 //! | [`Viewpoint`] | the position of a camera; [`Mount`] and [`Lens`] of your own |
@@ -96,9 +97,9 @@ pub use batch::Batch;
 pub use check::{ContractViolation, Tally, check_environment, legal_action, random_action, run};
 #[cfg(feature = "environment")]
 pub use environment::{
-    ActionError, AlterError, Assets, Difference, Disagreement, Displaced, Ending, Environment, EnvironmentBuilder,
-    Interruption, MakeError, NoRoom, PhysicalRefusal, ResetError, ResetReport, SaveError, Spot, SpotRefusal, Steering,
-    Unplaced, UnplacedReason,
+    ActionError, AlterError, Assets, Control, ControlledHand, Difference, Disagreement, Displaced, Ending, Environment,
+    EnvironmentBuilder, Interruption, MakeError, NoRoom, PhysicalRefusal, ResetError, ResetReport, SaveError, Spot,
+    SpotRefusal, Steering, Unplaced, UnplacedReason,
 };
 #[cfg(all(feature = "environment", feature = "render"))]
 pub use environment::{CameraError, CameraId, Lens, Mount, NamedCamera, PictureError, PictureOptions, Viewpoint};

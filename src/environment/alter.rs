@@ -65,8 +65,8 @@ pub enum AlterError {
     /// The thing does not stay there.
     #[error("it does not stay there: {0}")]
     Elsewhere(Displaced),
-    /// Agents are doing something that takes time, and would be disturbed.
-    #[error("{} acting: let them finish with `step_until_idle`, or `interrupt` them", are(.0))]
+    /// Agents are doing something that takes time or are under control, and would be disturbed.
+    #[error("{} acting or under control: let them finish with `step_until_idle`, or `interrupt` them", are(.0))]
     Busy(Vec<Label>),
     /// The node is no agent of this environment.
     #[error("{0} is no agent of this environment")]
@@ -355,8 +355,12 @@ impl Environment {
         AlterError::Bodies(why.into().in_scene(&self.graph))
     }
 
-    /// Refuses while agents act: bodies come to rest here without the clock.
-    fn refuse_while_busy(&self) -> Result<(), AlterError> {
+    /// Refuses while agents act or are under control: bodies come to rest here without the clock.
+    fn refuse_while_busy(&mut self) -> Result<(), AlterError> {
+        if self.clock.controls.all.is_empty() {
+            // Hands whose control has ended do not wait for the next tick.
+            self.apply_controls();
+        }
         let busy = self.busy();
         if busy.is_empty() { Ok(()) } else { Err(AlterError::Busy(busy)) }
     }

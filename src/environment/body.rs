@@ -10,22 +10,28 @@ use crate::Environment;
 impl Environment {
     /// How an agent's figure is posed.
     pub(crate) fn skeleton(&self, agent: NodeId) -> Option<Skeleton> {
-        let world = self.world();
+        let (world, attitude) = (self.world(), self.attitude(agent)?);
         let pose = world.pose(agent)?;
-        let attitude = match world.posture(agent)? {
-            Posture::Standing => BodyPosture::Standing,
-            Posture::Sitting(..) => BodyPosture::Sitting(pose.translation.z - self.floor().options().level),
-            Posture::Lying(..) => BodyPosture::Lying,
-        };
         let mut doing = self.doing(agent);
         if doing == Activity::default() {
             doing.gaze = self.attention(agent);
         }
+        doing = self.under_control(agent, doing);
         let own = |point: &mut Point3<f32>| *point = pose.inverse_transform_point(point);
         doing.gaze.iter_mut().for_each(own);
         doing.reach.iter_mut().for_each(|reach| own(&mut reach.point));
         let hands = Hand::BOTH.map(|hand| grip(world, &pose, hand, world.held(agent, hand)?));
         Some(Skeleton::new(attitude, &doing, hands))
+    }
+
+    /// The posture of an agent's figure.
+    pub(super) fn attitude(&self, agent: NodeId) -> Option<BodyPosture> {
+        let level = || Some(self.world().pose(agent)?.translation.z - self.floor().options().level);
+        Some(match self.world().posture(agent)? {
+            Posture::Standing => BodyPosture::Standing,
+            Posture::Sitting(..) => BodyPosture::Sitting(level()?),
+            Posture::Lying(..) => BodyPosture::Lying,
+        })
     }
 
     /// Where an agent's palm is on a thing that it takes hold of or holds.

@@ -152,8 +152,8 @@ pub enum ActionError {
     /// An agent is to do several things at once.
     #[error("{0} is to do several things at once: give one action for each agent")]
     Twice(Label),
-    /// An agent that is acting cannot be steered.
-    #[error("{0} is acting: let it finish with `step_until_idle`, or `interrupt` it")]
+    /// An agent that is acting can be neither steered nor controlled, and one under control does not act.
+    #[error("{0} is acting or under control: let it finish with `step_until_idle`, or `interrupt` it, which ends both")]
     Busy(Label),
     /// It was begun, and something came between; the world stays as it was then.
     #[error("{action}: {why}")]

@@ -7,6 +7,7 @@ mod boxes;
 mod builder;
 mod clock;
 mod compare;
+mod control;
 mod error;
 mod execute;
 mod export;
@@ -44,6 +45,7 @@ pub use builder::EnvironmentBuilder;
 use builder::EnvironmentSettings;
 pub use clock::{Ending, Interruption};
 pub use compare::{Difference, Disagreement};
+pub use control::{Control, ControlledHand};
 pub use error::{ActionError, MakeError, NoRoom, PhysicalRefusal, ResetError, SaveError, SpotRefusal};
 #[cfg(feature = "render")]
 pub(crate) use export::position;
@@ -75,6 +77,8 @@ const WAIST: f32 = 0.9;
 /// | [`observation`](Self::observation) | `SceneGraph::observe` |
 /// | [`render`](Self::render) | `Renderer::snapshot`, `Snapshot::place`, `Renderer::light`, `Renderer::follow`, `Renderer::render` |
 /// | [`set_action`](Self::set_action) | `rule::refusals`, then the clock with `Floor::standing_pose_where`, `PhysicsWorld::grab_with_load`, `SpotSearch`, `PhysicsWorld::put` ..., then `Relations::update_with` |
+///
+/// Beside actions: [`control`](Self::control) of velocity, head and hands in every tick.
 ///
 /// Before one acts: [`legal_actions`](Self::legal_actions), [`objects`](Self::objects),
 /// [`occupancy`](Self::occupancy). To arrange a home: [`spawn`](Self::spawn), [`put`](Self::put),

@@ -163,7 +163,7 @@ impl Environment {
             self.begin_anew();
             return Ok(ResetReport::default());
         }
-        if *graph == self.graph && self.world.awake() == 0 {
+        if *graph == self.graph && self.world.awake() == 0 && self.clock.controls.is_empty() {
             (self.history, self.poses) = (History::default(), BTreeMap::new());
             self.clock = Clock::at(&self.world);
             return Ok(Plan::of(&[&self.start.graph], graph).report(&self.start.graph, graph, graph));

@@ -28,7 +28,7 @@ impl Environment {
     ///
     /// # Errors
     /// [`ActionError::Impossible`] if there is no such agent, it does not stand, or a number is not finite,
-    /// [`ActionError::Busy`] while it acts; in these cases no time has passed.
+    /// [`ActionError::Busy`] while it acts or is under [control](Self::control); in these cases no time has passed.
     ///
     /// ```
     /// use nalgebra::Vector2;
@@ -53,7 +53,7 @@ impl Environment {
             let refused = vc_physics::PhysicsError::NotFinite("the heading", agent);
             return Err(impossible(refused.into()));
         }
-        if self.current_action(agent).is_some() {
+        if self.current_action(agent).is_some() || self.controlled(agent).is_some() {
             return Err(ActionError::Busy(self.graph.label(agent)));
         }
         self.world.go(agent, steering.velocity).map_err(|e| impossible(e.into()))?;

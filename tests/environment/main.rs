@@ -11,6 +11,7 @@ mod astray;
 mod bodies;
 mod boxes;
 mod clock;
+mod control;
 mod curtains;
 mod fitting;
 mod golden;

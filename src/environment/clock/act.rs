@@ -41,8 +41,8 @@ impl Environment {
     /// The changes are all those of the graph since the last action that was done.
     ///
     /// # Errors
-    /// [`ActionError`]. After [`ActionError::Refused`] and [`ActionError::Twice`] nothing has changed; after another
-    /// error the world is as it was when the action could not go on: the agent may have walked.
+    /// [`ActionError`]. After [`ActionError::Refused`], [`ActionError::Busy`] and [`ActionError::Twice`] nothing has
+    /// changed; after another error the world is as it was when the action could not go on: the agent may have walked.
     /// [`can_do`](Self::can_do) tries an action on a copy.
     pub fn set_action(&mut self, agent: NodeId, action: Action) -> Result<ChangeSet, ActionError> {
         self.set_actions(&[(agent, action)]).pop().unwrap_or_else(|| Ok(ChangeSet::default()))
@@ -135,6 +135,9 @@ impl Environment {
             if twice(*agent) {
                 return Err(ActionError::Twice(self.graph.label(*agent)));
             }
+            if self.controlled(*agent).is_some() {
+                return Err(ActionError::Busy(self.graph.label(*agent)));
+            }
             let refusals = rule::refusals(&self.graph, *agent, action);
             if refusals.is_empty() { Ok(()) } else { Err(ActionError::Refused(refusals)) }
         };
@@ -152,7 +155,7 @@ impl Environment {
     /// Lets time pass until agents have ended what they do; what lasts until a tick is interrupted.
     fn finish(&mut self, agents: &[NodeId], end: Tick) {
         self.advance_while(end, |home| home.is_acting(agents));
-        agents.iter().for_each(|agent| self.interrupt(*agent));
+        agents.iter().for_each(|agent| self.cancel(*agent));
     }
 
     /// The outcomes of actions that have begun and ended.

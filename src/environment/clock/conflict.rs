@@ -140,7 +140,7 @@ impl Environment {
     }
 
     /// Ends the actions of others that were to take what an agent has taken.
-    pub(super) fn tell_taken(&mut self, by: NodeId, thing: NodeId) {
+    pub(in crate::environment) fn tell_taken(&mut self, by: NodeId, thing: NodeId) {
         let needs = |schedule: &Schedule| schedule.truth.is_none() && schedule.action.object == Some(thing);
         let losers: Vec<NodeId> = self.others(by).filter(|(_, s)| needs(s)).map(|(other, _)| other).collect();
         for other in losers {

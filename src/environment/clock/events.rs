@@ -27,6 +27,9 @@ impl Environment {
         if self.clock.running.contains_key(&agent) {
             self.interrupt_for(agent, Interruption::Replaced(action));
         }
+        if self.controlled(agent).is_some() {
+            return self.end(agent, action, Err(ActionError::Busy(self.graph.label(agent))));
+        }
         let refusals = rule::refusals(&self.graph, agent, &action);
         if !refusals.is_empty() {
             return self.end(agent, action, Err(ActionError::Refused(refusals)));
@@ -367,13 +370,25 @@ impl Environment {
         self.graph = truth.ruled.clone();
         schedule.truth = Some(truth);
         let action = schedule.action;
-        for (_, other) in self.clock.running.iter_mut().filter(|(id, _)| **id != agent) {
-            // It holds for what others are in the middle of, too.
-            other.truth.iter_mut().for_each(|truth| truth.goes_on_with(agent, &action));
-        }
+        self.tell_others(agent, &action);
         self.clock.changed.extend(changes.changes().iter().filter_map(holder).chain([agent]));
         self.clock.unseen = true;
         self.clock.note(changes);
+    }
+
+    /// What an agent has brought about holds for what others are in the middle of, too.
+    pub(in crate::environment) fn tell_others(&mut self, agent: NodeId, action: &Action) {
+        for (_, other) in self.clock.running.iter_mut().filter(|(id, _)| **id != agent) {
+            other.truth.iter_mut().for_each(|truth| truth.goes_on_with(agent, action));
+        }
+    }
+
+    /// Others do not answer for what a hand touches.
+    pub(in crate::environment) fn excuse(&mut self, touched: &[NodeId]) {
+        for truth in self.clock.running.values_mut().filter_map(|other| other.truth.as_mut()) {
+            let new = touched.iter().filter(|id| !truth.excused.contains(id)).copied().collect::<Vec<NodeId>>();
+            truth.excused.extend(new);
+        }
     }
 
     pub(super) fn interrupted(&self, action: &Action, why: Interruption) -> ActionError {

@@ -24,6 +24,7 @@ use vc_graph::clock::{Running, Span, Tick};
 use vc_graph::{Action, ChangeSet, Event, Label, NodeId};
 use vc_physics::{Hand, PhysicsWorld, RestProgress};
 
+use super::control::Controls;
 use super::{ActionError, Environment, PhysicalRefusal};
 
 pub use ending::{Ending, Interruption};
@@ -40,10 +41,10 @@ pub(super) struct Clock {
     running: BTreeMap<NodeId, Schedule>,
     /// How long bodies have been coming to rest, and whether an event has disturbed them in this tick.
     rest: RestProgress,
-    stirred: bool,
+    pub(super) stirred: bool,
     /// Nodes that the rule has put elsewhere since relations were read last, and whether bodies have moved since then.
-    changed: Vec<NodeId>,
-    unseen: bool,
+    pub(super) changed: Vec<NodeId>,
+    pub(super) unseen: bool,
     endings: Vec<Ending>,
     /// The changes of the graph since the last action that was done.
     journal: ChangeSet,
@@ -51,6 +52,8 @@ pub(super) struct Clock {
     processes: Running,
     noticed: bool,
     touched: Vec<NodeId>,
+    /// The agents under low-level control.
+    pub(super) controls: Controls,
 }
 
 impl Clock {
@@ -60,7 +63,7 @@ impl Clock {
     }
 
     /// Takes note of changes of the graph: other processes may go on.
-    fn note(&mut self, changes: ChangeSet) {
+    pub(super) fn note(&mut self, changes: ChangeSet) {
         self.touched.extend(changes.nodes());
         self.journal = std::mem::take(&mut self.journal).then(changes);
     }
@@ -98,7 +101,8 @@ impl Environment {
         }
     }
 
-    /// Lets a span of time pass: agents do what they were [given](Self::give), side by side, and bodies move. Returns the
+    /// Lets a span of time pass: agents do what they were [given](Self::give), side by side, go on as they are
+    /// [controlled](Self::control), and bodies move. Returns the
     /// actions that have ended, in the order of their ticks, then of their agents.
     ///
     /// The outcome does not depend on how the time is divided into steps, nor on the order in which actions were given.
@@ -168,8 +172,21 @@ impl Environment {
         self.clock.given.get(&agent).or_else(|| self.clock.running.get(&agent).map(|schedule| &schedule.action))
     }
 
-    /// Ends what an agent is doing, where it is; the ending is among those of the next [`step`](Self::step).
+    /// The changes of the graph since the last action that was done: those of bodies under [control](Self::control) with
+    /// them. The changes of the next action begin with these.
+    pub fn changes(&self) -> &ChangeSet {
+        &self.clock.journal
+    }
+
+    /// Ends what an agent is doing, where it is; the ending is among those of the next [`step`](Self::step). Ends its
+    /// [control](Self::control), too.
     pub fn interrupt(&mut self, agent: NodeId) {
+        self.clock.controls.new |= self.clock.controls.all.remove(&agent).is_some();
+        self.cancel(agent);
+    }
+
+    /// Ends what an agent is doing or was given, where it is.
+    fn cancel(&mut self, agent: NodeId) {
         if let Some(given) = self.clock.given.remove(&agent) {
             let error = self.interrupted(&given, Interruption::Cancelled);
             self.end(agent, given, Err(error));
@@ -177,9 +194,10 @@ impl Environment {
         self.interrupt_for(agent, Interruption::Cancelled);
     }
 
-    /// The agents that are doing something or are about to.
+    /// The agents that are doing something or are about to, and those under control.
     pub(super) fn busy(&self) -> Vec<Label> {
-        let busy = self.agents().iter().filter(|agent| self.current_action(**agent).is_some());
+        let is_free = |agent: &NodeId| self.current_action(*agent).is_none() && self.controlled(*agent).is_none();
+        let busy = self.agents().iter().filter(|agent| !is_free(agent));
         busy.map(|agent| self.graph.label(*agent)).collect()
     }
 
@@ -196,7 +214,7 @@ impl Environment {
     /// The next tick in which the world is touched, if there is one.
     fn next_live(&mut self) -> Option<Tick> {
         let now = self.tick();
-        if self.clock.stirred || !self.clock.given.is_empty() || !self.world.pass(0) {
+        if self.clock.stirred || self.clock.controls.new || !self.clock.given.is_empty() || !self.world.pass(0) {
             return Some(now);
         }
         let process = self.next_process();
@@ -209,6 +227,7 @@ impl Environment {
     fn live(&mut self) {
         let now = self.tick();
         self.end_processes();
+        self.apply_controls();
         let due: Vec<NodeId> = self.clock.running.iter().filter(|(_, s)| s.until <= now).map(|(a, _)| *a).collect();
         let given = std::mem::take(&mut self.clock.given);
         if !due.is_empty() || !given.is_empty() {
@@ -220,6 +239,7 @@ impl Environment {
         }
         given.into_iter().for_each(|(agent, action)| self.begin_action(agent, action));
         self.step_bodies();
+        self.follow_controls();
         self.end_what_rests();
         if self.clock.running.values().all(|schedule| schedule.until != schedule::NEVER) {
             // Nobody is about to read it.
@@ -234,7 +254,11 @@ impl Environment {
             (self.clock.rest, self.clock.stirred, self.clock.unseen) = (RestProgress::default(), false, true);
         } else if !self.world.pass(1) {
             self.clock.unseen = true;
-            if !self.world.step_awake(&mut self.clock.rest) {
+            if !self.clock.controls.all.is_empty() {
+                // A hand does not come to rest: it is told to.
+                self.clock.rest = RestProgress::default();
+                self.world.step();
+            } else if !self.world.step_awake(&mut self.clock.rest) {
                 self.world.step();
             }
         }

@@ -36,7 +36,7 @@ impl Environment {
     }
 
     /// Reads what has moved into the graph; tells of a thing that has fallen out of the home.
-    pub(super) fn read_moved(&mut self) -> Result<Option<NodeId>, PhysicalRefusal> {
+    pub(in crate::environment) fn read_moved(&mut self) -> Result<Option<NodeId>, PhysicalRefusal> {
         let changed = std::mem::take(&mut self.clock.changed);
         if !self.start.time.bodies || (changed.is_empty() && !std::mem::take(&mut self.clock.unseen)) {
             return Ok(None);

@@ -12,6 +12,7 @@ use vc_relations::Evidence;
 
 use super::Clock;
 use super::schedule::{Schedule, Truth};
+use crate::environment::control::Controls;
 use crate::environment::{Environment, SaveError};
 
 /// All of a clock but its endings, and the evidence with which relations were read last.
@@ -32,6 +33,8 @@ struct SavedClock {
     touched: Vec<NodeId>,
     carried: Option<BTreeSet<NodeId>>,
     positions: Vec<(NodeId, u32, f32)>,
+    #[serde(default, skip_serializing_if = "Controls::is_empty")]
+    controls: Controls,
 }
 
 /// A [`Truth`], its scenes as text.
@@ -80,6 +83,7 @@ impl Environment {
             touched: clock.touched,
             carried: evidence.carried.clone(),
             positions: evidence.positions.iter().map(|((id, joint), at)| (*id, *joint, *at)).collect(),
+            controls: clock.controls,
         };
         serde_json::to_string(&saved).map_err(|e| SaveError::Clock(e.to_string()))
     }
@@ -111,6 +115,7 @@ impl Environment {
             processes: saved.processes,
             noticed: saved.noticed,
             touched: saved.touched,
+            controls: saved.controls,
         };
         Ok(())
     }
@@ -121,7 +126,7 @@ impl Environment {
             hash.word(u64::from(since.node.0)).words(since.process.bytes().map(u64::from));
             hash.words([since.begin.0, since.after.0]);
         }
-        if self.is_busy() {
+        if self.is_busy() || !self.clock.controls.is_empty() {
             // It is plain data, so it can be written.
             hash.words(self.saved_clock().unwrap_or_default().bytes().map(u64::from));
         }

@@ -49,7 +49,7 @@ impl Environment {
     /// ```
     pub fn moment(&self) -> Self {
         let (zero, processes) = (self.clock.zero, self.clock.processes.clone());
-        let clock = Clock { zero, processes, ..Clock::default() };
+        let clock = Clock { zero, processes, controls: self.clock.controls.clone(), ..Clock::default() };
         let mut still = Self { clock, poses: BTreeMap::new(), ..self.clone() };
         still.clock.changed.clone_from(&self.clock.changed);
         still.clock.unseen = true;
