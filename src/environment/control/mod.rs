@@ -100,8 +100,9 @@ impl Environment {
     ///
     /// # Errors
     /// [`ActionError::Impossible`] if bodies do nothing here
-    /// ([`EnvironmentBuilder::bodies`](crate::EnvironmentBuilder::bodies)), there is no such agent, it sits or lies and is to walk or turn, or a number is not
-    /// finite or out of its range; [`ActionError::Busy`] while it acts. In these cases nothing has changed.
+    /// ([`EnvironmentBuilder::bodies`](crate::EnvironmentBuilder::bodies)), there is no such agent, it sits or lies and is
+    /// to walk or turn, or a number is not finite or out of its range; [`ActionError::Busy`] while it acts. In these cases
+    /// nothing has changed.
     ///
     /// ```
     /// use virtualcity::graph::{Pose, clock::Span};
