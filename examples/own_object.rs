@@ -2,6 +2,8 @@
 //!
 //! `cargo run --release --example own_object -- out/own_object.png` puts a samovar on a table and draws both.
 
+#[path = "support/output.rs"]
+mod output;
 mod support;
 
 use std::path::Path;
@@ -28,10 +30,7 @@ fn samovar(b: &mut Build<'_>) {
 }
 
 fn main() -> Result<(), Complaint> {
-    let path = std::env::args().nth(1).unwrap_or_else(|| "out/own_object.png".into());
-    if path.starts_with('-') {
-        return Err(Complaint::new(format!("usage: own_object [PATH]; there are no options such as {path}")));
-    }
+    let path = output::output("own_object", "out/own_object.png")?;
     let classes = ClassTable::builtin().extended("own_object.txt", ROW).map_err(Complaint::new)?;
     let mut generators = Generators::default();
     let own = Generator::new("samovar", Realm::Indoor, 1, samovar);
@@ -61,6 +60,6 @@ fn main() -> Result<(), Complaint> {
     renderer.render(&shot, &mut frame).map_err(Complaint::new)?;
     let image = picture::png(&picture::rgb(&frame)).map_err(Complaint::new)?;
     virtualcity::files::write(Path::new(&path), image)?;
-    say!("{path}");
+    say!("{}", path.display());
     Ok(())
 }

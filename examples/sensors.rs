@@ -3,9 +3,11 @@
 //! `cargo run --release --example sensors -- out/sensors` lets an agent fetch something, and writes what each saw, the
 //! lidar's points on a plan of the home and as a file for MeshLab or CloudCompare, and the cameras as JSON.
 
+#[path = "support/output.rs"]
+mod output;
 mod support;
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use support::{Complaint, say};
 use virtualcity::graph::{Action, NodeId, Pose, Property, Relation, Verb};
@@ -19,11 +21,7 @@ use virtualcity::{Environment, Lens, Mount, Viewpoint, files};
 const SIZE: (u32, u32) = (320, 240);
 
 fn main() -> Result<(), Complaint> {
-    let folder = std::env::args().nth(1).unwrap_or_else(|| "out/sensors".into());
-    if folder.starts_with('-') {
-        return Err(Complaint::new(format!("usage: sensors [FOLDER]; there are no options such as {folder}")));
-    }
-    let folder = PathBuf::from(folder);
+    let folder = output::output("sensors", "out/sensors")?;
     files::create_folder(&folder)?;
     let mut home = Environment::make("apartment/42", 1)?;
     let me = home.agents()[0];

@@ -6,9 +6,9 @@
 //!
 //! prints the end of each action with its tick, and writes a picture of the kitchen for every half second into the folder.
 
+#[path = "support/output.rs"]
+mod output;
 mod support;
-
-use std::path::PathBuf;
 
 use support::{Complaint, say};
 use virtualcity::graph::clock::Span;
@@ -17,7 +17,7 @@ use virtualcity::render::{Modality, picture};
 use virtualcity::{Environment, Viewpoint};
 
 fn main() -> Result<(), Complaint> {
-    let folder = PathBuf::from(std::env::args().nth(1).unwrap_or_else(|| "out/side_by_side".into()));
+    let folder = output::output("side_by_side", "out/side_by_side")?;
     std::fs::create_dir_all(&folder)?;
     let mut home = Environment::make("apartment/42", 2)?;
     let (me, you) = (home.agents()[0], home.agents()[1]);

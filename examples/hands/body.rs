@@ -51,7 +51,7 @@ impl Body {
         let route = floor.route(from.into(), goal.into()).ok_or_else(|| Complaint::new("there is no way there"))?;
         let is_shut = |door: &NodeId| self.home.world().parts(*door).openness() == Some(0.0);
         if route.doors.iter().any(is_shut) {
-            return Err(Complaint::new("a door on the way is closed"));
+            return Err(Complaint::new("a door on the way is closed, and this program opens none: try another seed"));
         }
         for point in route.points.into_iter().chain([goal.into()]) {
             self.walk_straight(&point, if point.coords == goal { 0.02 } else { 0.2 })?;

@@ -26,14 +26,18 @@ use virtualcity::physics::Hand;
 const SEEDS: [u64; 3] = [8, 14, 23];
 
 fn main() -> Result<(), Complaint> {
-    let seeds: Result<Vec<u64>, _> = std::env::args().skip(1).map(|word| word.parse()).collect();
+    let seed =
+        |word: String| word.parse().map_err(|_| Complaint::new(format!("usage: hands [SEED...]; `{word}` is none")));
+    let seeds: Result<Vec<u64>, _> = std::env::args().skip(1).map(seed).collect();
     let seeds = Some(seeds?).filter(|seeds| !seeds.is_empty()).unwrap_or_else(|| SEEDS.to_vec());
     seeds.into_iter().try_for_each(take_spoon)
 }
 
 fn take_spoon(seed: u64) -> Result<(), Complaint> {
     let home = Environment::make(&format!("apartment/{seed}"), 1)?;
-    let target = Target::find(&home).ok_or_else(|| Complaint::new("no spoon is in a drawer that can be reached"))?;
+    let target = Target::find(&home).ok_or_else(|| {
+        Complaint::new(format!("apartment/{seed}: no spoon is in a drawer that can be reached; {SEEDS:?} have one"))
+    })?;
     let names = [target.spoon, target.cabinet].map(|id| home.graph().label(id));
     say!("apartment/{seed}: {} in {}", names[0], names[1]);
     let witness = Witness::new(&home, &target);

@@ -153,7 +153,9 @@ pub enum ActionError {
     #[error("{0} is to do several things at once: give one action for each agent")]
     Twice(Label),
     /// An agent that is acting can be neither steered nor controlled, and one under control does not act.
-    #[error("{0} is acting or under control: let it finish with `step_until_idle`, or `interrupt` it, which ends both")]
+    #[error(
+        "{0} is acting or under control: `interrupt` it, which ends both; an action also ends by `step_until_idle`"
+    )]
     Busy(Label),
     /// It was begun, and something came between; the world stays as it was then.
     #[error("{action}: {why}")]
