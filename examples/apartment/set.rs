@@ -387,6 +387,14 @@ mod tests {
         run(&broken).unwrap();
         assert_eq!(files(&three), whole);
 
+        // A file with a flipped bit.
+        let mut flipped = whole["homes_000000000030.jsonl.gz"].clone();
+        let middle = flipped.len() / 2;
+        flipped[middle] ^= 1;
+        std::fs::write(three.join("homes_000000000030.jsonl.gz"), flipped).unwrap();
+        run(&set(&three, 2, None)).unwrap();
+        assert_eq!(files(&three), whole);
+
         // A truncated file, one without its sidecar, and one that was never finished.
         let cut = &whole["homes_000000000007.jsonl.gz"];
         std::fs::write(three.join("homes_000000000007.jsonl.gz"), &cut[..cut.len() / 2]).unwrap();
