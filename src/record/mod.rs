@@ -404,7 +404,7 @@ const FILES: [&str; 12] = [
     trajectory::FILES[1],
 ];
 
-/// Removes the files of another run, which would stay among the new ones. A dataset stays for now if this record
+/// Removes the files of another run, which would stay among the new ones. A data set stays if this record
 /// has one, as it may go on with that.
 fn clear(own: &mut OwnFiles, has_dataset: bool) -> Result<(), RecordError> {
     if has_dataset {

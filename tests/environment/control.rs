@@ -220,7 +220,7 @@ fn hands_are_solid() {
     assert_eq!(home.graph().node(glass).and_then(Node::pose), home.world().pose(glass).as_ref());
 }
 
-/// What is heavy stays, however hard it is pushed; and a target out of reach is approached.
+/// Heavy things stay, however hard they are pushed; and a target out of reach is approached.
 #[test]
 fn force_and_reach_are_limited() {
     let mut home = home(42, 1);
@@ -312,7 +312,7 @@ fn control_and_actions_go_beside_each_other() {
     assert_eq!((home.world().held(me, Hand::Right), home.graph().holder(glass).map(|p| p.at)), (Some(glass), Some(me)));
 }
 
-/// What the rule does not allow to be taken is not held: the reason is told.
+/// A thing that the rule does not allow to be taken is not held: the reason is told.
 #[test]
 fn hands_hold_what_the_rule_lets_them() {
     let mut home = home(42, 1);

@@ -168,7 +168,7 @@ pub enum AgentError<N = NodeId> {
     BadGoal {
         /// The agent.
         agent: N,
-        /// What is to be otherwise.
+        /// The fault, and its remedy.
         why: &'static str,
     },
     /// Nothing that could be held is between the fingers and the thumb.

@@ -320,7 +320,7 @@ impl Environment {
         let goal = rule::effects(self.graph.vocabulary(), &action).into_iter().find_map(goes_to);
         let Some(goal) = goal.filter(|id| self.graph.agents().contains(id)) else { return Ok(false) };
         self.clock.changed.push(agent);
-        // What cannot be told now is read at the end.
+        // A relation that cannot be told now is read at the end.
         drop(self.read_moved());
         if self.graph.near(agent, goal) {
             return Ok(false);
@@ -376,7 +376,7 @@ impl Environment {
         self.clock.note(changes);
     }
 
-    /// What an agent has brought about holds for what others are in the middle of, too.
+    /// Effects that an agent has brought about hold for what others are in the middle of, too.
     pub(in crate::environment) fn tell_others(&mut self, agent: NodeId, action: &Action) {
         for (_, other) in self.clock.running.iter_mut().filter(|(id, _)| **id != agent) {
             other.truth.iter_mut().for_each(|truth| truth.goes_on_with(agent, action));

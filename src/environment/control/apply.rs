@@ -59,7 +59,7 @@ impl Environment {
         for agent in self.clock.controls.all.keys().copied().collect::<Vec<_>>() {
             Hand::BOTH.into_iter().for_each(|hand| self.follow_hold(agent, hand));
         }
-        // What cannot be told in this moment is read in a later one.
+        // A relation that cannot be told in this moment is read in a later one.
         drop(self.read_moved());
     }
 }

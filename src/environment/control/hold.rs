@@ -1,4 +1,4 @@
-//! What hands under control hold and let go, as the transition rule has it.
+//! Things that hands under control hold and let go, as the transition rule has it.
 
 use vc_graph::{Action, NodeId, Refusal, State, Verb, rule};
 use vc_physics::{BodyRole, Hand};
@@ -58,7 +58,7 @@ impl Environment {
     /// Carries out the effects of an action that bodies have done.
     fn bring_about(&mut self, agent: NodeId, action: &Action, id: NodeId) {
         for effect in rule::effects(self.graph.vocabulary(), action) {
-            // What bodies do the graph can say, too.
+            // The graph can say all that bodies do.
             let changes = rule::carry_out(&mut self.graph, agent, &effect).unwrap_or_default();
             self.clock.note(changes);
         }

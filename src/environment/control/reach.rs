@@ -29,7 +29,7 @@ impl Environment {
         [0, 1].map(|i| Some(nearest((BodySide::BOTH[i], control.hands[i]?, wanted[i]?))))
     }
 
-    /// What the figure of an agent under control does with its hands and its head.
+    /// The activity of an agent's figure under control: its hands and its head.
     pub(in crate::environment) fn under_control(&self, agent: NodeId, doing: Activity) -> Activity {
         let Some(control) = self.controlled(agent) else { return doing };
         let feet = self.world.pose(agent).unwrap_or_else(Pose::identity);

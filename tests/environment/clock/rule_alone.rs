@@ -15,7 +15,7 @@ fn said(graph: &SceneGraph) -> Vec<String> {
 fn actions_have_the_outcomes_of_the_rule() {
     for seed in [8, 42] {
         let builder = Environment::builder(format!("apartment/{seed}")).agents(2).bodies(false);
-        // What goes on in time is for the next test.
+        // Processes are for the next test.
         let builder = builder.processes(ProcessTable::default()).durations(Durations::default());
         let mut home = builder.clone().make().unwrap();
         let mut rule = Simulator::new(home.graph().clone());

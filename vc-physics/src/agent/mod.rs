@@ -153,7 +153,7 @@ impl PhysicsWorld {
         let (body, feet) = (agent.body, convert::pose(&agent.feet));
         let (shape, at, groups) = agent.plan.body(agent.posture);
         let stands = agent.feet;
-        // What is fastened to a guided hand moves by itself.
+        // A thing that is fastened to a guided hand moves by itself.
         let moved = |held: &(NodeId, Pose)| at_once || !self.is_fastened(held.0);
         let held: Vec<(NodeId, Pose)> = agent.holdings().into_iter().filter(moved).collect();
         if at_once {

@@ -24,7 +24,7 @@ const PALM: Vector3<f32> = Vector3::new(0.025, 0.035, 0.012);
 const BEHIND: f32 = -0.09;
 /// Finger pads yield by so much: what is no farther from them counts as touched, metres.
 const PAD: f32 = 0.008;
-/// What fingers touch with their tips and edges only does not stop them, metres.
+/// Depth up to which fingers go on when they touch something with tips and edges only, metres.
 const EDGE: f32 = 0.003;
 
 /// A shape and its pose in the hand.

@@ -1,4 +1,4 @@
-//! What guided hands hold, and let go.
+//! Things that guided hands hold, and let go.
 
 use nalgebra::Point3;
 use rapier3d::dynamics::{GenericJoint, ImpulseJointHandle, JointAxesMask, RigidBodyHandle, RigidBodyType};

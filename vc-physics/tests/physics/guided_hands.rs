@@ -95,7 +95,7 @@ fn a_cup_is_held_lifted_and_let_go() {
     assert_eq!((world.held(me, Hand::Right), world.role(home.cup)), (Some(home.cup), Some(BodyRole::Carried)));
     guide(&mut world, me, ahead([0.5, 0.0, 1.2], QUARTER), 1.0, 60);
     assert!((position(&world, home.cup).z - 1.15).abs() < 0.03, "{}", position(&world, home.cup));
-    // What is held meets the table, too.
+    // A held thing meets the table, too.
     guide(&mut world, me, ahead([0.7, 0.0, 0.5], QUARTER), 1.0, 90);
     assert!(position(&world, home.cup).z > 0.735, "{}", position(&world, home.cup));
     guide(&mut world, me, ahead([0.7, 0.0, 1.0], QUARTER), 1.0, 60);
