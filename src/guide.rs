@@ -606,9 +606,10 @@
 //!
 //! # Words of your own
 //!
-//! A scene may have verbs, states and properties of its own: lines of a [`Vocabulary`](vc_graph::Vocabulary), whose rules are
-//! made of the conditions and effects of the built-in verbs. The planner plans with them, and bodies show the motion that a
-//! rule names. Classes of your own can have them too, see [`ClassTable::with_vocabulary`](vc_graph::ClassTable::with_vocabulary).
+//! A scene may have verbs, states and properties of its own: lines of a [`Vocabulary`](vc_graph::Vocabulary), whose rules
+//! are made of the conditions and effects of the built-in verbs, and names for goals of its own. The planner plans with
+//! them, and bodies show the motion that a rule names. Classes of your own can have them too, see
+//! [`ClassTable::with_vocabulary`](vc_graph::ClassTable::with_vocabulary).
 //!
 //! ```
 //! use virtualcity::Environment;
@@ -618,9 +619,10 @@
 //! let words = Vocabulary::parse("words.txt", "
 //!     state blessed
 //!     verb bless 1 | needs: upright; facing x | effects: enter_with x blessed | motion: wave
+//!     predicate hallowed ?x | is: Blessed(?x) & did bless(?x)
 //! ")?;
 //! let mut home = Environment::builder("apartment/9").vocabulary(words).make()?;
-//! let task = Task::new("bless the fridge", "Blessed(fridge) & did bless(fridge)".parse()?);
+//! let task = Task::new("bless the fridge", "Hallowed(fridge)".parse()?);
 //! let episode = run_episode(&mut PlannerPolicy::best(), &task, &mut home);
 //! assert_eq!(episode.outcome, Outcome::Won);
 //! # Ok::<(), Box<dyn std::error::Error>>(())

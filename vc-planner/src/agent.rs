@@ -164,6 +164,7 @@ impl Agent {
     }
 
     fn with(id: NodeId, goal: Goal, belief: Belief, mind: Mind) -> Self {
+        let goal = goal.expanded(belief.graph().vocabulary()).into_owned();
         let concerns = concerns(&goal, belief.graph());
         let agenda = goal.is_temporal().then(|| Agenda::new(&goal));
         let planner = Planner { limits: SearchLimits { first: 2_000, improve: 500 }, ..Planner::default() };
@@ -254,7 +255,7 @@ impl Agent {
         missing.map(|&id| (id, graph.place(id))).collect()
     }
 
-    /// The whole goal that it pursues.
+    /// The whole goal that it pursues, with the definitions of derived predicates in their place.
     pub fn goal(&self) -> &Goal {
         self.agenda.as_ref().map_or(&self.goal, Agenda::goal)
     }
@@ -276,6 +277,7 @@ impl Agent {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn pursue(&mut self, goal: Goal) {
+        let goal = goal.expanded(self.belief.graph().vocabulary()).into_owned();
         self.concerns = concerns(&goal, self.belief.graph());
         (self.agenda, self.aim) = (goal.is_temporal().then(|| Agenda::new(&goal)), None);
         self.goal = goal;

@@ -156,6 +156,7 @@ impl Policy for Helper {
         let Some(agent) = &mut self.agent else { return Decision::Done };
         if self.helping != number {
             self.helping = number;
+            let goal = goal.expanded(agent.belief().graph().vocabulary());
             agent.pursue(shared(&goal));
         }
         agent.count_on(promised);

@@ -99,6 +99,7 @@ impl Planner {
         goal: &Goal,
         events: &[Event],
     ) -> Result<Plan, Unreachable> {
+        let goal = &*goal.expanded(graph.vocabulary());
         if let Some(mismatch) = goal.name_mismatches(graph).into_iter().next() {
             return Err(mismatch.into());
         }
@@ -158,6 +159,7 @@ impl Planner {
         goal: &Goal,
         events: &[Event],
     ) -> Result<Vec<Action>, Unreachable> {
+        let goal = &*goal.expanded(graph.vocabulary());
         let now = Situation { graph, agent, events };
         let demands = Reader::read(goal, &now, &mut Choice::default());
         let compiled = compile(&demands, &now, &|_| true, self.leave())?;

@@ -88,11 +88,13 @@ const IDLE: usize = 2;
 impl Team {
     /// Agents that know the plan of the home and no more.
     pub fn in_known_home(graph: &SceneGraph, ids: &[NodeId], goal: &Goal, seed: u64) -> Self {
+        let goal = &goal.expanded(graph.vocabulary());
         Self::with_agents(ids, goal, |id, goal| Agent::in_known_home(graph, id, goal, seed))
     }
 
     /// Agents that know everything there is.
     pub fn oracles(graph: &SceneGraph, ids: &[NodeId], goal: &Goal) -> Self {
+        let goal = &goal.expanded(graph.vocabulary());
         Self::with_agents(ids, goal, |id, goal| Agent::oracle(graph, id, goal))
     }
 

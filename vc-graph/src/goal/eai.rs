@@ -15,6 +15,8 @@
 //! [`Goal::holds_on`] requires it at the end. Only that evaluator relates an action to the state in which it
 //! begins; for [`Goal::holds_on`] it may have been performed at any time.
 
+use std::borrow::Cow;
+
 use super::{Comparison, EpisodeTrace, Goal, Literal, Predicate, Quantified, Term};
 use crate::{Edge, NodeId, Relation, SceneGraph};
 
@@ -65,7 +67,8 @@ impl Goal {
     /// # Errors
     /// [`NoVerdict`] where its evaluator stops with an error, and for goals that are not among its formulas.
     pub fn eai_verdict(&self, trace: &EpisodeTrace) -> Result<bool, NoVerdict> {
-        Ok(Evaluator { trace, bound: Vec::new() }.after(self, 0)?.is_some())
+        let goal = trace.graph(0).map_or(Cow::Borrowed(self), |graph| self.expanded(graph.vocabulary()));
+        Ok(Evaluator { trace, bound: Vec::new() }.after(&goal, 0)?.is_some())
     }
 
     /// Whether a goal concerns a single step.

@@ -36,7 +36,7 @@ impl Goal {
     pub fn holds_by(&self, trace: &EpisodeTrace, step: usize) -> bool {
         let course = trace.course();
         let stretch = Stretch::up_to(step.min(course.last()));
-        Judge { course, bound: Vec::new() }.holds(self, stretch)
+        Judge { course, bound: Vec::new() }.holds(&self.expanded(course.vocabulary()), stretch)
     }
 
     /// The conjuncts that do not hold.
@@ -61,7 +61,7 @@ impl Goal {
     }
 
     fn judge(&self, course: Course<'_>) -> bool {
-        Judge { course, bound: Vec::new() }.holds(self, Stretch::all(&course))
+        Judge { course, bound: Vec::new() }.holds(&self.expanded(course.vocabulary()), Stretch::all(&course))
     }
 }
 
@@ -69,7 +69,8 @@ impl Quantified {
     /// Whether the body holds for an object.
     pub fn holds_of(&self, thing: NodeId, now: &Situation<'_>) -> bool {
         let course = Course::new(now);
-        Judge { course, bound: Vec::new() }.holds_of(self, thing, Stretch::all(&course))
+        let body = self.body.expanded(course.vocabulary());
+        Judge { course, bound: vec![(&self.variable, thing)] }.holds(&body, Stretch::all(&course))
     }
 }
 

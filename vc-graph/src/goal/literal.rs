@@ -1,5 +1,6 @@
 //! Literals: predicates applied to terms.
 
+use super::DerivedPredicate;
 use crate::{NodeId, Relation, State, Verb};
 
 /// The comparison of a count with a number.
@@ -60,6 +61,8 @@ pub enum Predicate {
     Did(Verb),
     /// The object exists: it is not in the state [`State::Future`].
     Real,
+    /// The scene's vocabulary defines it by a goal.
+    Derived(DerivedPredicate),
 }
 
 impl Predicate {
@@ -69,6 +72,7 @@ impl Predicate {
             Self::State(_) | Self::Real => 1,
             Self::Relation(_) | Self::Holds => 2,
             Self::Did(verb) => verb.arity(),
+            Self::Derived(predicate) => predicate.arity(),
         }
     }
 }

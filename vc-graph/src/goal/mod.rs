@@ -26,6 +26,7 @@
 //! | `Sit(x)` `Lie(x)` `Wear(x)` `Facing(x)` | the agent sits or lies on, wears, faces x |
 //! | `Eat(x)` `Drink(x)` `Watch(x)` `did verb(x, y)` | the agent has performed this action |
 //! | `Real(x)` | x exists: it is not in the state `future` |
+//! | an own name, `Tidy(x)` | its definition holds, see [`Vocabulary::parse`](crate::Vocabulary::parse) |
 //! | `?x = ?y`, `?x != ?y` | both are the same object, or are not; for variables, nodes and `me` |
 //!
 //! `, 3` after a literal requires at least three different objects for its first term that is a class or `_`
@@ -84,8 +85,11 @@
 //! [`Goal::holds`] evaluates a goal in one [`Situation`], which has a single state: earlier steps are those of
 //! its events, and their states are assumed to equal the present one.
 
+mod definition;
+mod derived;
 pub mod eai;
 mod evaluate;
+mod expand;
 mod judge;
 mod literal;
 mod names;
@@ -99,6 +103,8 @@ mod text;
 mod trace;
 mod write;
 
+pub use definition::PredicateDefinition;
+pub use derived::DerivedPredicate;
 pub use evaluate::{BoundObjects, Situation};
 pub use literal::{Comparison, Literal, Predicate, Term};
 pub(crate) use names::is_predicate;

@@ -1,7 +1,7 @@
 //! Names of predicates.
 
-use super::Predicate;
 use super::write::capitalised;
+use super::{DerivedPredicate, Predicate};
 use crate::spelling::{key, same_word};
 use crate::vocabulary::Word;
 use crate::{Relation, State, Verb};
@@ -109,7 +109,8 @@ pub(super) fn native_predicate(name: &str, given: usize) -> Option<Predicate> {
         return Some(Predicate::Relation(Relation::FilledWith));
     }
     let named = || NAMES.iter().find(|(n, _)| same_word(n, name)).map(|(_, p)| *p);
-    by_number.or_else(named).or_else(|| Verb::builtin(name).map(Predicate::Did))
+    let derived = || DerivedPredicate::find(name).map(Predicate::Derived);
+    by_number.or_else(named).or_else(|| Verb::builtin(name).map(Predicate::Did)).or_else(derived)
 }
 
 pub(super) fn eai_predicate(name: &str, given: usize) -> Option<Predicate> {

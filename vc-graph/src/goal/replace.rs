@@ -19,36 +19,53 @@ impl Goal {
     /// ```
     #[must_use]
     pub fn with_terms(&self, replace: &dyn Fn(&Term) -> Term) -> Self {
-        let of = |part: &Self| part.with_terms(replace);
-        let boxed = |part: &Self| Box::new(of(part));
-        let all = |parts: &[Self]| parts.iter().map(of).collect::<Vec<_>>();
         match self {
             Self::Literal(literal) => Self::Literal(literal.with_terms(replace)),
             Self::Count { literal, comparison, number } => {
                 Self::Count { literal: literal.with_terms(replace), comparison: *comparison, number: *number }
             }
             Self::Same(a, b) => Self::Same(replace(a), replace(b)),
-            Self::And(parts) => Self::And(all(parts)),
-            Self::Or(parts) => Self::Or(all(parts)),
-            Self::Then(parts) => Self::Then(all(parts)),
+            Self::ForAll(Quantified { variable, .. })
+            | Self::Exists(Quantified { variable, .. })
+            | Self::ForN { of: Quantified { variable, .. }, .. } => {
+                self.with_parts(&mut |part| part.with_terms(&except(&[variable], replace)))
+            }
+            Self::ForPairs(Pairs { first, second, .. }) => {
+                self.with_parts(&mut |part| part.with_terms(&except(&[&first.name, &second.name], replace)))
+            }
+            _ => self.with_parts(&mut |part| part.with_terms(replace)),
+        }
+    }
+
+    /// The goal with each of its direct parts replaced by another.
+    pub(crate) fn with_parts(&self, replace: &mut dyn FnMut(&Self) -> Self) -> Self {
+        let mut all = |parts: &[Self]| parts.iter().map(&mut *replace).collect::<Vec<_>>();
+        match self {
+            Self::And(parts) => return Self::And(all(parts)),
+            Self::Or(parts) => return Self::Or(all(parts)),
+            Self::Then(parts) => return Self::Then(all(parts)),
+            _ => {}
+        }
+        let mut boxed = |part: &Self| Box::new(replace(part));
+        let mut of = |q: &Quantified| Quantified { body: boxed(&q.body), ..q.clone() };
+        match self {
+            Self::ForAll(q) => Self::ForAll(of(q)),
+            Self::Exists(q) => Self::Exists(of(q)),
+            Self::ForN { comparison, number, of: q } => {
+                Self::ForN { comparison: *comparison, number: *number, of: of(q) }
+            }
+            Self::ForPairs(pairs) => Self::ForPairs(Pairs { body: boxed(&pairs.body), ..pairs.clone() }),
             Self::Not(part) => Self::Not(boxed(part)),
             Self::Imply(a, b) => Self::Imply(boxed(a), boxed(b)),
-            Self::ForAll(q) => Self::ForAll(q.with_terms(replace)),
-            Self::Exists(q) => Self::Exists(q.with_terms(replace)),
-            Self::ForN { comparison, number, of } => {
-                Self::ForN { comparison: *comparison, number: *number, of: of.with_terms(replace) }
-            }
-            Self::ForPairs(pairs) => {
-                let names = [&*pairs.first.name, &*pairs.second.name];
-                let body = Box::new(pairs.body.with_terms(&except(&names, replace)));
-                Self::ForPairs(Pairs { body, ..pairs.clone() })
-            }
             Self::Eventually(part) => Self::Eventually(boxed(part)),
             Self::Always(part) => Self::Always(boxed(part)),
             Self::Within(steps, part) => Self::Within(*steps, boxed(part)),
             Self::AtEnd(part) => Self::AtEnd(boxed(part)),
             Self::Until(a, b) => Self::Until(boxed(a), boxed(b)),
             Self::Before(a, b) => Self::Before(boxed(a), boxed(b)),
+            Self::Literal(_) | Self::Count { .. } | Self::Same(..) | Self::And(_) | Self::Or(_) | Self::Then(_) => {
+                self.clone()
+            }
         }
     }
 }
@@ -56,13 +73,6 @@ impl Goal {
 impl Literal {
     fn with_terms(&self, replace: &dyn Fn(&Term) -> Term) -> Self {
         Self { predicate: self.predicate, terms: self.terms.iter().map(replace).collect() }
-    }
-}
-
-impl Quantified {
-    fn with_terms(&self, replace: &dyn Fn(&Term) -> Term) -> Self {
-        let names = [&*self.variable];
-        Self { body: Box::new(self.body.with_terms(&except(&names, replace))), ..self.clone() }
     }
 }
 

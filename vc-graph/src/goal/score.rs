@@ -33,7 +33,7 @@ impl Goal {
     }
 
     fn scored(&self, course: Course<'_>) -> f64 {
-        Judge { course, bound: Vec::new() }.score(self, Stretch::all(&course))
+        Judge { course, bound: Vec::new() }.score(&self.expanded(course.vocabulary()), Stretch::all(&course))
     }
 }
 

@@ -76,7 +76,7 @@ impl FromStr for Goal {
     type Err = GoalError;
 
     fn from_str(text: &str) -> Result<Self, GoalError> {
-        read(text, Dialect::Native)
+        read(text, Dialect::Native, Vec::new())
     }
 }
 
@@ -95,7 +95,12 @@ impl Goal {
     /// # Errors
     /// [`GoalError`], with the location and the expected form.
     pub fn from_eai(text: &str) -> Result<Self, GoalError> {
-        read(text, Dialect::Eai)
+        read(text, Dialect::Eai, Vec::new())
+    }
+
+    /// Parses a goal with free variables.
+    pub(super) fn with_free(text: &str, variables: &[String]) -> Result<Self, GoalError> {
+        read(text, Dialect::Native, variables.to_vec())
     }
 }
 
@@ -105,13 +110,13 @@ pub(super) enum Dialect {
     Eai,
 }
 
-fn read(text: &str, dialect: Dialect) -> Result<Goal, GoalError> {
+fn read(text: &str, dialect: Dialect, bound: Vec<String>) -> Result<Goal, GoalError> {
     let text = unmarked(text);
     if text.len() > LONGEST {
         return Err(GoalError { at: 1, problem: GoalProblem::TooLong(text.len()) });
     }
     let tokens = scan(text)?;
-    let mut reader = Reader { tokens, next: 0, end: text.chars().count() + 1, dialect, bound: Vec::new(), depth: 0 };
+    let mut reader = Reader { tokens, next: 0, end: text.chars().count() + 1, dialect, bound, depth: 0 };
     let goal = reader.goal()?;
     match reader.peek() {
         None if goal.depth() > DEEPEST => Err(GoalError { at: 1, problem: GoalProblem::TooDeep }),

@@ -1,7 +1,7 @@
 //! Traces: the states and events on which a goal is evaluated.
 
 use super::Situation;
-use crate::{Event, NodeId, SceneGraph};
+use crate::{Event, NodeId, SceneGraph, Vocabulary};
 
 /// The record of an episode: the initial state, and for each step its actions and the state after it. The
 /// scenes share everything that did not change between them, so a long trace is small.
@@ -120,6 +120,11 @@ impl<'a> Course<'a> {
 
     pub(super) fn agent(&self) -> NodeId {
         self.agent
+    }
+
+    /// The vocabulary of the scene, which no action changes.
+    pub(super) fn vocabulary(&self) -> &'a Vocabulary {
+        self.graphs[0].vocabulary()
     }
 
     pub(super) fn last(&self) -> usize {

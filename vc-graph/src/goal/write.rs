@@ -25,6 +25,15 @@ impl fmt::Display for Goal {
     }
 }
 
+/// A goal with free variables as text: classes of their names are written in quotes.
+pub(super) struct Open<'g>(pub(super) &'g Goal, pub(super) &'g [String]);
+
+impl fmt::Display for Open<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        Writer { f, bound: self.1.iter().map(String::as_str).collect() }.goal(self.0)
+    }
+}
+
 /// The binding strength of a goal, which decides where brackets are needed.
 fn rank(goal: &Goal) -> u8 {
     match goal {
@@ -194,6 +203,7 @@ impl<'g> Writer<'g, '_, '_> {
             Predicate::Relation(relation) => write!(self.f, "{}(", capitalised(relation.as_str()))?,
             Predicate::Holds => self.f.write_str("Holds(")?,
             Predicate::Did(verb) => write!(self.f, "did {verb}(")?,
+            Predicate::Derived(predicate) => write!(self.f, "{}(", capitalised(predicate.as_str()))?,
             Predicate::Real => self.f.write_str("Real(")?,
         }
         for (i, term) in literal.terms.iter().enumerate() {

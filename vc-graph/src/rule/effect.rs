@@ -20,6 +20,8 @@ pub enum Effect<T> {
     Enter(T, State),
     /// The object enters a state, with everything on or in it.
     EnterWith(T, State),
+    /// The object leaves a state.
+    Leave(T, State),
     /// The agent enters a state.
     EnterOwn(State),
     /// The agent leaves a state.
@@ -71,6 +73,7 @@ pub enum Effect<T> {
 forms! { Effect, "effect" {
     Enter = "enter" { 0: thing, 1: state };
     EnterWith = "enter_with" { 0: thing, 1: state };
+    Leave = "leave" { 0: thing, 1: state };
     EnterOwn = "enter_own" { 0: state };
     LeaveOwn = "leave_own" { 0: state };
     GoTo = "go_to" { 0: thing };

@@ -20,6 +20,7 @@ pub(super) fn carry_out(edit: &mut Edit<'_>, agent: NodeId, effect: Effect<NodeI
     match effect {
         Effect::Enter(id, state) => edit.enter_state(id, state),
         Effect::EnterWith(id, state) => enter_with(edit, id, state),
+        Effect::Leave(id, state) => edit.leave_state(id, state),
         Effect::EnterOwn(state) => edit.enter_state(agent, state),
         Effect::LeaveOwn(state) => edit.leave_state(agent, state),
         Effect::GoTo(id) => go_to(edit, agent, id),

@@ -106,6 +106,8 @@ fn binding(graph: &SceneGraph, effect: Effect<Argument>, condition: &Condition, 
         {
             Some(One(role, id))
         }
+        (Effect::Leave(role, s), C::NotIn(id, unwanted)) if s == unwanted => Some(One(role, id)),
+        (Effect::LeaveOwn(s), C::NotIn(id, unwanted)) if id == agent && s == unwanted => Some(Nothing),
         (Effect::FillWithWater(role), C::In(id, State::Filled)) => Some(One(role, id)),
         (Effect::EnterOwn(s), C::In(id, wanted)) if id == agent && s == wanted => Some(Nothing),
         (Effect::GoTo(role), C::Near(id) | C::SameRoom(id)) => Some(One(role, id)),

@@ -1,6 +1,7 @@
 //! Errors in the text of a vocabulary.
 
 use super::{NameProblem, UnknownWord};
+use crate::goal::GoalError;
 
 /// An error in the text of a [`Vocabulary`](super::Vocabulary), with its line.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
@@ -19,11 +20,36 @@ pub struct VocabularyError {
 #[non_exhaustive]
 pub enum VocabularyProblem {
     /// The line declares nothing.
-    #[error("`{0}` is no declaration: write `state NAME`, `property NAME` or `verb NAME THINGS`")]
+    #[error("`{0}` is no declaration: write `state NAME`, `property NAME`, `verb NAME THINGS` or `predicate NAME ?x`")]
     Kind(String),
     /// A verb without its number of things.
     #[error("`{0}` is no number of things: a verb takes 0, 1 or 2, as in `verb polish 2`")]
     Things(String),
+    /// A predicate with other words after its name than variables.
+    #[error(
+        "`{0}` is no list of variables: a predicate has none, one or two different ones, as in `predicate tidy ?x`"
+    )]
+    Variables(String),
+    /// A predicate without a definition.
+    #[error("`{0}` has no meaning: add `| is:` with a goal, as in `predicate tidy ?x | is: Clean(?x) & Folded(?x)`")]
+    Undefined(&'static str),
+    /// An error in the goal of a definition.
+    #[error(transparent)]
+    Goal(#[from] GoalError),
+    /// A definition with words of time.
+    #[error("`{0}` is about a single step, so its definition has no words of time; use them around it")]
+    Temporal(&'static str),
+    /// A definition refers to itself.
+    #[error("the definition of `{0}` refers to itself")]
+    Circular(&'static str),
+    /// A definition is too large.
+    #[error("the definition of `{predicate}` has more than {largest} parts, with those of the predicates in it")]
+    Large {
+        /// The predicate.
+        predicate: &'static str,
+        /// The largest number of parts.
+        largest: usize,
+    },
     /// A bad name.
     #[error(transparent)]
     Name(#[from] NameProblem),

@@ -14,8 +14,12 @@ pub(super) struct Line {
 }
 
 /// The kinds of declarations with the names of their fields.
-const KINDS: [(&str, &[&str]); 3] =
-    [("state", &["excludes", "needs"]), ("property", &[]), ("verb", &["needs", "effects", "aims", "motion", "says"])];
+const KINDS: [(&str, &[&str]); 4] = [
+    ("state", &["excludes", "needs"]),
+    ("property", &[]),
+    ("verb", &["needs", "effects", "aims", "motion", "says"]),
+    ("predicate", &["is"]),
+];
 
 /// The lines of a text; empty ones and those that begin with `#` are left out.
 pub(super) fn lines(file: &str, text: &str) -> Result<Vec<Line>, VocabularyError> {
@@ -30,16 +34,19 @@ pub(super) fn error(file: &str, line: usize, problem: impl Into<Problem>) -> Voc
 
 impl Line {
     fn read(number: usize, text: &str) -> Result<Self, Problem> {
-        let mut cells = text.split('|').map(str::trim);
-        let head = cells.next().unwrap_or_default();
+        let (head, fields) = text.split_once('|').map_or((text, None), |(head, fields)| (head, Some(fields)));
+        let head = head.trim();
         let (kind, rest) = head.split_once(char::is_whitespace).unwrap_or((head, ""));
         let (kind, known) = KINDS.into_iter().find(|(k, _)| *k == kind).ok_or_else(|| Problem::Kind(clip(head)))?;
         let (name, rest) = rest.trim().split_once(char::is_whitespace).unwrap_or((rest.trim(), ""));
-        if kind != "verb" && !rest.is_empty() {
+        if !matches!(kind, "verb" | "predicate") && !rest.is_empty() {
             return Err(Problem::Kind(clip(head)));
         }
         let mut line = Self { number, kind, name: name.into(), rest: rest.trim().into(), fields: Vec::new() };
-        cells.try_for_each(|cell| line.add(cell, known))?;
+        // A goal may have a `|`, so it is the only field.
+        let limit = if kind == "predicate" { 1 } else { usize::MAX };
+        let mut cells = fields.into_iter().flat_map(|fields| fields.splitn(limit, '|'));
+        cells.try_for_each(|cell| line.add(cell.trim(), known))?;
         Ok(line)
     }
 

@@ -36,7 +36,7 @@ pub enum NameProblem {
         "`{0}` is no name of a word: one to {LONGEST} lower-case letters, digits and single `_` between them, a letter first"
     )]
     Form(String),
-    /// The name is spelled as a built-in word of the same kind or, a state, as a predicate of goals.
+    /// The name is spelled as a built-in word of the same kind; that of a state or predicate, as another predicate of goals.
     #[error("`{0}` has a meaning already: choose another name")]
     BuiltIn(String),
     /// The name differs from one that this program knows only by separators.

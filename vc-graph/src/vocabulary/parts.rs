@@ -1,8 +1,9 @@
 //! Conditions and effects as words: `affords x polishable`.
 
+use crate::goal::DerivedPredicate;
 use crate::rule::Argument;
 use crate::vocabulary::VocabularyProblem;
-use crate::{Action, Aim, NodeId, Property, Relation, State, Word, clip, did_you_mean};
+use crate::{Action, Aim, NodeId, Property, Relation, State, Verb, Word, clip, did_you_mean};
 
 /// A part of a condition or effect of the rule table.
 #[derive(Debug, Clone, Copy)]
@@ -11,6 +12,8 @@ pub(crate) enum Used {
     State(State),
     Property(Property),
     Relation(Relation),
+    Verb(Verb),
+    Predicate(DerivedPredicate),
     /// An action's aim: no rule of a text has one.
     Aim,
 }
@@ -23,6 +26,8 @@ impl Used {
             Self::State(state) => state.as_str(),
             Self::Property(property) => property.as_str(),
             Self::Relation(relation) => relation.as_str(),
+            Self::Verb(verb) => verb.as_str(),
+            Self::Predicate(predicate) => predicate.as_str(),
             Self::Aim => "",
         }
     }

@@ -3,7 +3,7 @@
 use super::line::{Line, error, lines};
 use super::write::usual;
 use super::{OwnState, Used, Vocabulary, VocabularyError, VocabularyProblem as Problem};
-use crate::goal::is_predicate;
+use crate::goal::{DerivedPredicate, PredicateDefinition, is_predicate};
 use crate::rule::{ActionRule, AimRule, Argument, Condition, Effect, Motion};
 use crate::{NameProblem, Property, State, Verb, Word, clip};
 
@@ -16,6 +16,7 @@ impl Vocabulary {
     /// property polishable
     /// state waxed | excludes: dusty dirty | needs: polishable
     /// verb polish 2 | needs: affords x polishable; holding y; near x | effects: enter x waxed | motion: use_at
+    /// predicate spotless ?x | is: Waxed(?x) & !exists ?y. On(?y, ?x)
     /// ```
     ///
     /// | field of | | |
@@ -27,8 +28,9 @@ impl Vocabulary {
     /// | | `aims` | `going`, `turning`, `pointing`, `putting`, `dropping`, `taking` or `sitting`; none if left out |
     /// | | `motion` | a [`Motion`]; if left out, `reach` for a verb with things, else `none` |
     /// | | `says` | a description in one sentence |
+    /// | a predicate | `is` | a [`Goal`](crate::Goal) without words of time, about the variables after the name, of which there are at most two |
     ///
-    /// All may be left out. A verb is followed by the number of its things, 0 to 2: `x` is the first, `y` the second.
+    /// All but `is` may be left out. A verb is followed by the number of its things, 0 to 2: `x` is the first, `y` the second.
     /// Preconditions and effects are those of [`Condition`] and [`Effect`], with their names in lower case: `near x`,
     /// `not_in x hot`, `holding_kind wiper`, `related x on y`, `put_into x y`, `enter_own asleep`.
     ///
@@ -63,8 +65,12 @@ impl Vocabulary {
         };
         // All names come first, so that lines may refer to later ones.
         let words = lines.iter().map(|line| declared(line).map_err(at(line))).collect::<Result<Vec<_>, _>>()?;
-        let mut all =
-            Drawer { states: self.states.clone(), properties: self.properties.clone(), rules: self.rules.clone() };
+        let mut all = Drawer {
+            states: self.states.clone(),
+            properties: self.properties.clone(),
+            rules: self.rules.clone(),
+            predicates: self.predicates.clone(),
+        };
         for (line, word) in lines.iter().zip(words) {
             all.add(word, line).map_err(at(line))?;
         }
@@ -82,6 +88,7 @@ enum Declared {
     State(State),
     Property(Property),
     Verb(Verb),
+    Predicate(DerivedPredicate),
 }
 
 /// The word that a line declares.
@@ -89,9 +96,16 @@ fn declared(line: &Line) -> Result<Declared, Problem> {
     let name = line.name.as_str();
     let free = |taken: bool| if taken { Err(NameProblem::BuiltIn(clip(name))) } else { Ok(()) };
     Ok(match line.kind {
-        "state" => free(is_predicate(name)).and_then(|()| State::declare(name, 0)).map(Declared::State)?,
+        "state" => free(is_predicate(name) || DerivedPredicate::find(name).is_some())
+            .and_then(|()| State::declare(name, 0))
+            .map(Declared::State)?,
         "property" => {
             free(Property::builtin(name).is_some()).and_then(|()| Property::declare(name, 0)).map(Declared::Property)?
+        }
+        "predicate" => {
+            let variables = PredicateDefinition::variables(&line.rest)?;
+            free(is_predicate(name) || State::declared(name).is_some())?;
+            Declared::Predicate(DerivedPredicate::declare(name, variables.len() as u8)?)
         }
         _ => {
             let things = things(&line.rest)?;
@@ -110,6 +124,7 @@ struct Drawer {
     states: Vec<OwnState>,
     properties: Vec<Property>,
     rules: Vec<ActionRule>,
+    predicates: Vec<PredicateDefinition>,
 }
 
 impl Drawer {
@@ -122,11 +137,16 @@ impl Drawer {
                 put(&mut self.states, own_state(state, line)?, |known| known.state == state, state.as_str())
             }
             Declared::Verb(verb) => put(&mut self.rules, rule(verb, line)?, |known| known.verb == verb, verb.as_str()),
+            Declared::Predicate(predicate) => {
+                let variables = PredicateDefinition::variables(&line.rest)?;
+                let new = PredicateDefinition::read(predicate, variables, line.field("is"))?;
+                put(&mut self.predicates, new, |known| known.predicate == predicate, predicate.as_str())
+            }
         }
     }
 
     fn into_vocabulary(self) -> Vocabulary {
-        Vocabulary::from_parts(self.states, self.properties, self.rules)
+        Vocabulary::from_parts(self.states, self.properties, self.rules, self.predicates)
     }
 }
 
@@ -183,13 +203,22 @@ impl Vocabulary {
             Declared::Property(_) => Vec::new(),
             Declared::State(state) => self.used_by(state),
             Declared::Verb(verb) => self.rule(verb).into_iter().flat_map(used).collect(),
+            Declared::Predicate(predicate) => {
+                self.own_predicate(predicate).map(PredicateDefinition::used).unwrap_or_default()
+            }
         };
         let strange = used.into_iter().find(|used| match used {
             Used::State(state) => !self.has_state(*state),
             Used::Property(property) => !self.has_property(*property),
+            Used::Verb(verb) => self.rule(*verb).is_none(),
+            Used::Predicate(predicate) => self.own_predicate(*predicate).is_none(),
             _ => false,
         });
-        strange.map_or(Ok(()), |word| Err(Problem::Undeclared(word.as_str())))
+        strange.map_or(Ok(()), |word| Err(Problem::Undeclared(word.as_str())))?;
+        match declared(line)? {
+            Declared::Predicate(predicate) => self.own_predicate(predicate).map_or(Ok(()), |own| own.check(self)),
+            _ => Ok(()),
+        }
     }
 
     fn used_by(&self, state: State) -> Vec<Used> {

@@ -3,11 +3,13 @@
 use std::sync::{Arc, LazyLock};
 
 use super::{OwnWords, Word};
+use crate::goal::{DerivedPredicate, Predicate, PredicateDefinition};
 use crate::rule::table::RULES;
 use crate::rule::{ActionRule, Needs};
 use crate::{Node, Property, State, StateSet, Verb};
 
-/// The states, properties and verbs of a scene with their meaning: the built-in ones, and own ones that a text declares.
+/// The states, properties, verbs and predicates of a scene with their meaning: the built-in ones, and own ones that a text
+/// declares.
 ///
 /// An own word is a word like any other: classes and nodes have it, actions and goals say it, the transition rule, the
 /// planner and bodies go by it, files keep it. Its name is known to the whole process from its declaration on; its
@@ -40,6 +42,7 @@ pub struct Vocabulary {
     pub(super) states: Vec<OwnState>,
     pub(super) properties: Vec<Property>,
     pub(super) rules: Vec<ActionRule>,
+    pub(super) predicates: Vec<PredicateDefinition>,
     /// The own states that a state excludes, both ways.
     excludes: Vec<(State, StateSet)>,
     /// The places of own verbs in `rules`, by their numbers.
@@ -63,7 +66,7 @@ impl Vocabulary {
     /// The built-in words alone.
     pub fn builtin() -> Arc<Self> {
         static WORDS: LazyLock<Arc<Vocabulary>> =
-            LazyLock::new(|| Arc::new(Vocabulary::from_parts(Vec::new(), Vec::new(), Vec::new())));
+            LazyLock::new(|| Arc::new(Vocabulary::from_parts(Vec::new(), Vec::new(), Vec::new(), Vec::new())));
         WORDS.clone()
     }
 
@@ -72,22 +75,24 @@ impl Vocabulary {
         mut states: Vec<OwnState>,
         mut properties: Vec<Property>,
         mut rules: Vec<ActionRule>,
+        mut predicates: Vec<PredicateDefinition>,
     ) -> Self {
         states.sort_by_key(|own| own.state);
         properties.sort_unstable();
         rules.sort_by_key(|rule| rule.verb);
+        predicates.sort_by_key(|definition| definition.predicate);
         let excludes = excluded(&states);
         let mut places = vec![None; rules.iter().map(|rule| own_number(rule.verb) + 1).max().unwrap_or(0)];
         for (place, rule) in rules.iter().enumerate() {
             places[own_number(rule.verb)] = Some(place);
         }
         let needs = Arc::new(Needs::read(|| RULES.iter().chain(&rules)));
-        Self { states, properties, rules, excludes, places, needs }
+        Self { states, properties, rules, predicates, excludes, places, needs }
     }
 
     /// Whether there are only built-in words.
     pub fn is_builtin(&self) -> bool {
-        self.states.is_empty() && self.properties.is_empty() && self.rules.is_empty()
+        self.states.is_empty() && self.properties.is_empty() && self.rules.is_empty() && self.predicates.is_empty()
     }
 
     /// The own states, by name.
@@ -103,6 +108,20 @@ impl Vocabulary {
     /// The rules of the own verbs, by name.
     pub fn own_rules(&self) -> &[ActionRule] {
         &self.rules
+    }
+
+    /// The definitions of derived predicates, by name.
+    pub fn own_predicates(&self) -> &[PredicateDefinition] {
+        &self.predicates
+    }
+
+    /// The definition of a predicate; `None` if it is built in or of other vocabularies.
+    pub fn definition(&self, predicate: Predicate) -> Option<&PredicateDefinition> {
+        if let Predicate::Derived(predicate) = predicate { self.own_predicate(predicate) } else { None }
+    }
+
+    pub(super) fn own_predicate(&self, predicate: DerivedPredicate) -> Option<&PredicateDefinition> {
+        self.predicates.iter().find(|definition| definition.predicate == predicate)
     }
 
     /// The rules of all verbs: built-in ones in declaration order, then own ones by name.
@@ -229,7 +248,8 @@ impl Default for Vocabulary {
 /// Two vocabularies are equal if the same words mean the same.
 impl PartialEq for Vocabulary {
     fn eq(&self, other: &Self) -> bool {
-        self.states == other.states && self.properties == other.properties && self.rules == other.rules
+        let same_words = self.states == other.states && self.properties == other.properties;
+        same_words && self.rules == other.rules && self.predicates == other.predicates
     }
 }
 

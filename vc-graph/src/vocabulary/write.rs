@@ -7,11 +7,12 @@ use crate::rule::{ActionRule, Motion};
 use crate::{Property, Word};
 
 impl Vocabulary {
-    /// The own words as lines, from which [`Vocabulary::parse`] makes the same vocabulary: properties, states and verbs,
-    /// each by name.
+    /// The own words as lines, from which [`Vocabulary::parse`] makes the same vocabulary: properties, states, verbs and
+    /// predicates, each by name.
     pub fn lines(&self) -> impl Iterator<Item = String> {
         let properties = self.properties.iter().map(|property| format!("property {property}"));
-        properties.chain(self.states.iter().map(state)).chain(self.rules.iter().map(verb))
+        let predicates = self.predicates.iter().map(ToString::to_string);
+        properties.chain(self.states.iter().map(state)).chain(self.rules.iter().map(verb)).chain(predicates)
     }
 }
 

@@ -5,6 +5,7 @@ mod assets;
 mod classes;
 mod clock;
 mod clock_processes;
+mod derived;
 mod edit_moves;
 mod edits;
 mod goal_pairs;

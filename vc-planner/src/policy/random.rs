@@ -64,7 +64,7 @@ impl RandomPolicy {
 /// ```
 pub fn objects_of_interest(scene: &SceneGraph, goal: &Goal) -> Vec<NodeId> {
     let mut found = Vec::new();
-    for term in goal.terms() {
+    for term in goal.expanded(scene.vocabulary()).terms() {
         match term {
             Term::Class(class) => found.extend(scene.of_class(&class)),
             Term::Node(_, id) => found.push(id),

@@ -1,7 +1,7 @@
 //! Ways to make a predicate true or false for given things.
 
 use vc_graph::goal::Predicate;
-use vc_graph::{Action, Condition, NodeId, Property, Relation, State, Verb};
+use vc_graph::{Action, Condition, Effect, NodeId, Property, Relation, State, Verb};
 
 use super::View;
 use crate::open_condition::OpenCondition;
@@ -51,6 +51,13 @@ impl View<'_> {
         }
     }
 
+    /// Whether an action ends a state without another one in its place.
+    fn left(&self, state: State) -> bool {
+        let leaves =
+            |effect: &Effect<_>| matches!(effect, Effect::Leave(_, left) | Effect::LeaveOwn(left) if *left == state);
+        self.graph().vocabulary().rules().any(|rule| rule.effects.iter().any(leaves))
+    }
+
     /// The conditions that would make a predicate false for given things.
     pub(super) fn undo(&self, predicate: Predicate, things: [Option<NodeId>; 2]) -> Vec<OpenCondition> {
         let me = self.now.agent;
@@ -60,7 +67,8 @@ impl View<'_> {
             }
             (Predicate::State(state), [Some(id), _]) => {
                 let opposites = self.graph().vocabulary().opposites(state);
-                opposites.iter().map(|s| OpenCondition::Hold(Condition::In(id, s))).collect()
+                let others = opposites.iter().map(|s| Condition::In(id, s));
+                others.chain(self.left(state).then_some(Condition::NotIn(id, state))).map(OpenCondition::Hold).collect()
             }
             (Predicate::Holds, [_, Some(id)]) => vec![OpenCondition::Do(Action::one(Verb::Drop, id))],
             (Predicate::Relation(relation), [Some(from), Some(to)]) => match relation {

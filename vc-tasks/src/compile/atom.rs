@@ -43,6 +43,7 @@ impl GroundAtom {
             Predicate::State(state) => state.index(),
             Predicate::Relation(relation) => 256 + relation.index(),
             Predicate::Did(verb) => 512 + verb.index(),
+            Predicate::Derived(predicate) => 1024 + predicate.index(),
             Predicate::Holds => 768,
             _ => 769,
         } as u64;

@@ -1,6 +1,8 @@
 //! Ground temporal goals: their non-temporal parts are compiled, and temporal operators stand above
 //! these.
 
+use std::borrow::Cow;
+
 use vc_graph::NodeId;
 use vc_graph::goal::{Comparison, Goal, Pairs, Quantified};
 
@@ -34,8 +36,9 @@ impl Compiler {
         goal: &Goal,
         things: &impl Things,
     ) -> Result<(Vec<Course>, GoalProgram), CompileError> {
+        let parts: Vec<Cow<'_, Goal>> = goal.conjuncts().iter().map(|part| things.expanded(part)).collect();
         let mut ground = Ground::new(self, things);
-        let courses = goal.conjuncts().iter().map(|part| ground.course(part)).collect::<Result<_, _>>()?;
+        let courses = parts.iter().map(|part| ground.course(part)).collect::<Result<_, _>>()?;
         Ok((courses, ground.finish()?))
     }
 }

@@ -1,5 +1,6 @@
 //! Grounding: from a goal and the objects of a scene to atoms and gates.
 
+use std::borrow::Cow;
 use std::cell::Cell;
 
 use vc_graph::goal::{Comparison, Goal, Literal, Predicate, Quantified, Situation, Term};
@@ -20,6 +21,11 @@ pub trait Things {
 
     /// Whether there is an object with this identifier.
     fn has(&self, id: NodeId) -> bool;
+
+    /// A goal with the definitions of derived predicates in their place, as far as they are known.
+    fn expanded<'g>(&self, goal: &'g Goal) -> Cow<'g, Goal> {
+        Cow::Borrowed(goal)
+    }
 }
 
 impl Things for Situation<'_> {
@@ -33,6 +39,10 @@ impl Things for Situation<'_> {
 
     fn has(&self, id: NodeId) -> bool {
         self.graph.node(id).is_some()
+    }
+
+    fn expanded<'g>(&self, goal: &'g Goal) -> Cow<'g, Goal> {
+        goal.expanded(self.graph.vocabulary())
     }
 }
 
@@ -124,8 +134,9 @@ impl Compiler {
     /// # Errors
     /// As [`Compiler::compile`].
     pub(crate) fn compile_all(&mut self, goals: &[Goal], things: &impl Things) -> Result<GoalProgram, CompileError> {
+        let goals: Vec<Cow<'_, Goal>> = goals.iter().map(|goal| things.expanded(goal)).collect();
         let mut ground = Ground::new(self, things);
-        for goal in goals {
+        for goal in &goals {
             let head = ground.goal(goal)?;
             ground.add_head(head);
         }

@@ -1,5 +1,6 @@
 //! Goals in our own notation.
 
+use std::borrow::Cow;
 use std::collections::{BTreeSet, HashSet};
 
 use vc_graph::goal::{Comparison, Goal, Literal, Predicate, Situation, Term};
@@ -27,16 +28,18 @@ use crate::{Obstacle, Task};
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn goal(goal: &Goal, scene: Option<&SceneGraph>) -> Vec<Finding> {
+    let written = goal;
+    let goal = &*scene.map_or(Cow::Borrowed(goal), |graph| goal.expanded(graph.vocabulary()));
     let mut found = Vec::new();
     check_part(goal, &mut Vec::new(), Some(true), &mut found);
     found.extend(cycle(goal));
     found.extend(unknown(goal, scene));
     found.extend(scene.into_iter().flat_map(|graph| lacking(goal, graph)));
     let program = compiled(goal, scene);
-    found.extend(program.and_then(|p| satisfiability(&p, &goal.to_string())));
+    found.extend(program.and_then(|p| satisfiability(&p, &written.to_string())));
     if let Some((graph, agent)) = scene.and_then(|g| Some((g, *g.agents().first()?))) {
         let history = History::default();
-        let finding = Finding { kind: FindingKind::TrueAtStart, at: None, part: goal.to_string() };
+        let finding = Finding { kind: FindingKind::TrueAtStart, at: None, part: written.to_string() };
         if goal.holds(&Situation::new(graph, agent, &history)) && !found.contains(&finding) {
             found.push(finding);
         }
@@ -164,7 +167,10 @@ impl Things for Given {
 
 /// Whether nothing brings a predicate about in any scene. For a scene's own states, its vocabulary tells.
 fn is_beyond_all(predicate: Predicate) -> bool {
-    let own = matches!(predicate, Predicate::State(state) if !state.is_builtin());
+    let own = match predicate {
+        Predicate::State(state) => !state.is_builtin(),
+        predicate => matches!(predicate, Predicate::Derived(_)),
+    };
     !own && !brought_about(&Vocabulary::builtin(), predicate)
 }
 

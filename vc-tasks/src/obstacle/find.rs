@@ -11,18 +11,27 @@ use crate::vacuous;
 
 /// The obstacles of a goal; see [`Task::obstacles`](crate::Task::obstacles).
 pub(crate) fn obstacles(goal: &Goal, graph: &SceneGraph) -> Vec<Obstacle> {
+    let goal = &*goal.expanded(graph.vocabulary());
     let parts = of_parts(goal, graph);
     let lacks = |name: &str| parts.iter().any(|o| matches!(o, Obstacle::TooFew { class, .. } if class == name));
     let is_listed = |o: &Obstacle| matches!(o, Obstacle::UnknownClass { class, .. } if lacks(class));
     let mut found = name_mismatches(goal, graph);
     found.extend(unknown(goal.terms(), graph).into_iter().filter(|obstacle| !is_listed(obstacle)));
+    found.extend(undefined(goal));
     found.extend(parts);
     found
 }
 
+/// The derived predicates that are left where definitions have taken the place of others.
+fn undefined(goal: &Goal) -> impl Iterator<Item = Obstacle> {
+    goal.derived_predicates().into_iter().map(Obstacle::NoDefinition)
+}
+
 /// The reason why a goal is lost before anything is done; see [`Task::lost`](crate::Task::lost).
 pub(crate) fn lost(goal: &Goal, graph: &SceneGraph) -> Option<Lost> {
+    let goal = &*goal.expanded(graph.vocabulary());
     let mut found = name_mismatches(goal, graph);
+    found.extend(undefined(goal));
     found.extend(unknown(vacuous::terms(goal), graph));
     (!found.is_empty()).then_some(Lost::Misnamed(found))
 }

@@ -5,6 +5,7 @@ mod find;
 
 use std::fmt;
 
+use vc_graph::goal::DerivedPredicate;
 use vc_graph::{NameMismatch, Relation, State, did_you_mean};
 
 pub(crate) use find::{lost, obstacles};
@@ -53,6 +54,8 @@ pub enum Obstacle {
         /// The state.
         state: State,
     },
+    /// The vocabulary of the scene does not define a predicate of the goal.
+    NoDefinition(DerivedPredicate),
     /// A label of the goal is of another class than its node.
     NameMismatch(NameMismatch),
     /// The scene has no node of a number that the goal names.
@@ -98,6 +101,10 @@ impl fmt::Display for Obstacle {
                     f,
                     "`{part}` needs `{thing}` to be {state}, which it is not here, and no action or process makes it so"
                 )
+            }
+            Self::NoDefinition(predicate) => {
+                let name = predicate.as_str();
+                write!(f, "the vocabulary of this scene does not define the predicate `{name}`")
             }
             Self::NameMismatch(mismatch) => mismatch.fmt(f),
             Self::NoSuchNode(label) => write!(f, "there is no `{label}` in this scene"),

@@ -280,6 +280,37 @@ fn a_goal_that_is_true_in_many_ways_stays_small() {
 }
 
 #[test]
+fn derived_predicates_are_compiled_as_their_definitions() {
+    let words = "predicate messy ?x | is: Dusty(?x) | Stained(?x)\npredicate under_wraps ?x ?y | is: Covered(?x, ?y) & messy(?y)";
+    let mut room = Room::new(&[(0, 0, 0), (1, 3, 0), (2, 0, 3), (3, 1, 4)]);
+    room.graph.set_vocabulary(vc_graph::Vocabulary::parse("words.txt", words).unwrap());
+    let pairs = [
+        ("Messy(cup)", "Dusty(cup) | Stained(cup)"),
+        ("forall ?p: plate. Messy(?p)", "forall ?p: plate. Dusty(?p) | Stained(?p)"),
+        (
+            "UnderWraps(cup, plate), 2",
+            "at least 2 ?c: cup. exists ?p: plate. Covered(?c, ?p) & (Dusty(?p) | Stained(?p))",
+        ),
+    ];
+    for (short, long) in pairs {
+        let (goal, same): (Goal, Goal) = (short.parse().unwrap(), long.parse().unwrap());
+        let program = GoalProgram::new(&goal, &room.now()).unwrap();
+        let bits = program.read(&room.now());
+        assert_eq!(program.holds(&bits), same.holds(&room.now()), "{short}");
+        assert_eq!(goal.holds(&room.now()), same.holds(&room.now()), "{short}");
+    }
+    let parts = vc_tasks::explain(&"Messy(cup) & UnderWraps(cup, plate)".parse().unwrap(), &room.now()).unwrap();
+    assert_eq!(parts.iter().map(|part| part.holds).collect::<Vec<_>>(), [true, true]);
+    assert_eq!(parts[0].goal.to_string(), "Messy(cup)");
+    // Over time: it was messy at first and no longer is.
+    let mut trace = EpisodeTrace::new(room.graph.clone(), room.me);
+    room.flip((0, 0, 0));
+    trace.push(room.graph.clone(), []);
+    let goal: Goal = "eventually Messy(cup.2) & !Messy(cup.2)".parse().unwrap();
+    assert!(goal.holds_on(&trace) && Monitor::from_trace(&goal, &trace).unwrap().holds());
+}
+
+#[test]
 fn what_cannot_be_compiled_says_why() {
     let room = Room::new(&[]);
     let error = GoalProgram::new(&"Dusty(cup) & eventually Dusty(plate)".parse().unwrap(), &room.now()).unwrap_err();

@@ -63,8 +63,9 @@ pub(super) fn name(graph: &SceneGraph, id: NodeId) -> String {
 ///
 /// # Errors
 /// [`Unwritable`] for goals that cannot be expressed here: counts other than `at least`, pairs,
-/// temporal operators, rooms.
+/// temporal operators, rooms. Derived predicates are written as their definitions.
 pub fn planning(graph: &SceneGraph, agent: NodeId, goal: &Goal, keep: Keep) -> Result<Planning, Unwritable> {
+    let goal = &*goal.expanded(graph.vocabulary());
     let mut ways = ways(goal, graph, agent)?;
     let mut rules = Rules::new(graph.vocabulary(), &graph.vocabulary().verbs().collect::<Vec<_>>());
     let plain = ways.len() == 1 && ways[0].facts.iter().all(|f| f.arguments.iter().all(|a| !a.starts_with('?')));
