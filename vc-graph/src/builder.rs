@@ -6,6 +6,7 @@ use crate::asset::AssetLibrary;
 use crate::bulk;
 use crate::class::ClassTable;
 use crate::node::{Draft, NodeKind};
+use crate::space::NumberBlock;
 use crate::{Edge, EditError, NodeId, Place, Relation, SceneGraph};
 
 /// Builds a [`SceneGraph`], node by node or in bulk.
@@ -153,6 +154,11 @@ impl SceneBuilder {
     /// those of removed nodes. See [`SceneGraph::next_number`].
     pub fn number_from(&mut self, number: u32) {
         self.graph.next = self.graph.next.max(number);
+    }
+
+    /// Numbers nodes within a block: those of a region of a [`Space`](crate::space::Space).
+    pub fn numbers(&mut self, block: NumberBlock) {
+        self.graph.number_in(block, block.first);
     }
 
     /// The scene built so far.

@@ -29,6 +29,7 @@ pub mod rule;
 mod seed;
 pub mod serial;
 mod simulator;
+pub mod space;
 mod spelling;
 pub mod srgb;
 mod state;

@@ -112,6 +112,11 @@ impl Edge {
         Self { from, relation, to }
     }
 
+    /// The edge; of a symmetric one that from the smaller number.
+    pub(crate) fn in_one_direction(self) -> Self {
+        if self.relation.is_symmetric() && self.to < self.from { self.reversed() } else { self }
+    }
+
     /// The same edge in the opposite direction.
     pub(crate) fn reversed(self) -> Self {
         Self { from: self.to, relation: self.relation, to: self.from }

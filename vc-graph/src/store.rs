@@ -52,6 +52,31 @@ impl<T> Store<T> {
         self.chunks.iter().flat_map(|(_, chunk)| chunk.iter().flatten())
     }
 
+    /// The numbers at which two maps have values that are not shared, in order, with both values. What clones share is
+    /// skipped chunk by chunk.
+    pub(crate) fn unshared<'s>(&'s self, other: &'s Self) -> Vec<[Option<&'s Arc<T>>; 2]> {
+        let mut found = Vec::new();
+        let (mut left, mut right) = (self.chunks.iter().peekable(), other.chunks.iter().peekable());
+        loop {
+            let first = match (left.peek(), right.peek()) {
+                (Some((a, _)), Some((b, _))) => *a.min(b),
+                (Some((number, _)), None) | (None, Some((number, _))) => *number,
+                (None, None) => return found,
+            };
+            let here = |(number, _): &&(u32, Arc<Chunk<T>>)| *number == first;
+            let (a, b) = (left.next_if(here).map(|(_, chunk)| chunk), right.next_if(here).map(|(_, chunk)| chunk));
+            if a.zip(b).is_some_and(|(a, b)| Arc::ptr_eq(a, b)) {
+                continue;
+            }
+            let cell = |chunk: Option<&'s Arc<Chunk<T>>>, offset: usize| chunk.and_then(|chunk| chunk[offset].as_ref());
+            let cells = (0..SIZE).map(|offset| [cell(a, offset), cell(b, offset)]);
+            let same = |[a, b]: &[Option<&Arc<T>>; 2]| {
+                a.zip(*b).map_or(a.is_none() && b.is_none(), |(a, b)| Arc::ptr_eq(a, b))
+            };
+            found.extend(cells.filter(|cell| !same(cell)));
+        }
+    }
+
     pub(crate) fn remove(&mut self, id: NodeId) -> Option<Arc<T>> {
         let (chunk, offset) = split(id);
         let position = self.find(chunk).ok()?;

@@ -17,6 +17,14 @@ pub struct AssetLibrary {
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum AssetError {
+    /// The library has no such asset.
+    #[error("there is no asset {asset}, the library has {count}")]
+    NoSuchAsset {
+        /// The asset.
+        asset: u32,
+        /// The number of assets in the library.
+        count: usize,
+    },
     /// A part uses a material that is not in the library.
     #[error("part `{part}` uses material {material}, the library has {count}")]
     NoSuchMaterial {

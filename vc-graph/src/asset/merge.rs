@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::{Asset, AssetError, AssetId, AssetLibrary, Material};
+use super::{Asset, AssetError, AssetId, AssetLibrary, Material, Part};
 
 /// The numbers of a [merged](AssetLibrary::merge) library's content in the library that took it over: each is the own
 /// number plus that of the first.
@@ -72,6 +72,68 @@ impl AssetLibrary {
             self.assets.truncate(before.2);
         }
         merged
+    }
+
+    /// The asset that is the same as one of another library: equal parts of equal materials.
+    ///
+    /// Costs a comparison of names with all assets, and of shapes where names are equal.
+    pub fn find(&self, from: &Self, id: AssetId) -> Option<AssetId> {
+        let wanted = from.get(id)?;
+        let here = self.assets.iter().position(|known| self.is_same(known, from, wanted))?;
+        Some(AssetId(here as u32))
+    }
+
+    /// Takes over one asset of another library with its materials and their textures, each unless it is here already.
+    ///
+    /// # Errors
+    /// [`AssetError`] if the other library has no such asset, or content that this one would refuse.
+    pub fn import(&mut self, from: &Self, id: AssetId) -> Result<AssetId, AssetError> {
+        if let Some(here) = self.find(from, id) {
+            return Ok(here);
+        }
+        let asset = from.get(id).ok_or(AssetError::NoSuchAsset { asset: id.0, count: from.len() })?;
+        let mut copy = Asset::clone(asset);
+        for part in copy.parts.iter_mut().chain(&mut copy.collision) {
+            part.material = self.import_material(from, part)?;
+        }
+        self.add(copy)
+    }
+
+    fn import_material(&mut self, from: &Self, part: &Part) -> Result<u32, AssetError> {
+        let (name, count) = (part.name.clone(), from.materials.len());
+        let missing = AssetError::NoSuchMaterial { part: name, material: part.material, count };
+        let mut material = from.material(part.material).ok_or(missing)?.clone();
+        if let Some(at) = self.materials.iter().position(|known| self.is_same_material(known, from, &material)) {
+            return Ok(at as u32);
+        }
+        if let Some(texture) = material.texture.and_then(|texture| from.texture(texture)) {
+            let here = self.textures.iter().position(|known| known == texture);
+            material.texture = Some(here.map_or_else(|| self.add_texture(texture.clone()), |at| Ok(at as u32))?);
+        }
+        self.add_material(material)
+    }
+
+    fn is_same(&self, known: &Asset, from: &Self, wanted: &Asset) -> bool {
+        let parts = |mine: &[Part], theirs: &[Part]| {
+            mine.len() == theirs.len()
+                && mine.iter().zip(theirs).all(|(mine, theirs)| self.is_same_part(mine, from, theirs))
+        };
+        known.name == wanted.name
+            && known.surfaces == wanted.surfaces
+            && parts(&known.parts, &wanted.parts)
+            && parts(&known.collision, &wanted.collision)
+    }
+
+    fn is_same_part(&self, mine: &Part, from: &Self, theirs: &Part) -> bool {
+        let materials = self.material(mine.material).zip(from.material(theirs.material));
+        (&mine.name, mine.pose, mine.joint, &mine.shape) == (&theirs.name, theirs.pose, theirs.joint, &theirs.shape)
+            && materials.is_some_and(|(mine, theirs)| self.is_same_material(mine, from, theirs))
+    }
+
+    fn is_same_material(&self, mine: &Material, from: &Self, theirs: &Material) -> bool {
+        let texture = |library: &Self, of: &Material| of.texture.and_then(|index| library.texture(index).cloned());
+        let plain = |of: &Material| Material { texture: None, ..of.clone() };
+        mine.name == theirs.name && plain(mine) == plain(theirs) && texture(self, mine) == texture(from, theirs)
     }
 
     fn take_over(&mut self, other: &Self) -> Result<Merged, AssetError> {

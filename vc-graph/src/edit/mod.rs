@@ -101,7 +101,7 @@ impl Drop for Edit<'_> {
 
 /// The number of the next node.
 pub(crate) fn next_id(graph: &SceneGraph) -> Result<NodeId, EditError> {
-    if graph.next == u32::MAX { Err(EditError::NumbersExhausted) } else { Ok(NodeId(graph.next)) }
+    if graph.next >= graph.numbers.end() { Err(EditError::NumbersExhausted) } else { Ok(NodeId(graph.next)) }
 }
 
 /// Makes a node with a number that the graph does not have yet.

@@ -51,10 +51,7 @@ impl Edit<'_> {
         if self.graph.node(node.id()).is_some() {
             return Err(EditError::Duplicate(node.id()));
         }
-        let mut copy = node.clone();
-        copy.out.retain(|_| false);
-        copy.inc.retain(|_| false);
-        self.make(Change::Add(Arc::new(copy)));
+        self.make(Change::Add(Arc::new(node.bare())));
         Ok(())
     }
 
@@ -82,9 +79,7 @@ impl Edit<'_> {
             let (room, first) = (node.label(), self.graph.label(first));
             return Err(EditError::RoomNotEmpty { room, count: self.graph.in_room(id).count(), first });
         }
-        let out = node.out.iter().map(|l| Edge::new(id, l.relation(), l.node()));
-        let inc = node.inc.iter().map(|l| Edge::new(l.node(), l.relation(), id));
-        let edges: Vec<Edge> = out.chain(inc).collect();
+        let edges: Vec<Edge> = node.edges().collect();
         for edge in edges {
             self.unlink(edge);
         }
@@ -147,13 +142,9 @@ impl Edit<'_> {
     /// Replaces a node by one with another specification and keeps its relations.
     fn respecify(&mut self, id: NodeId, change: impl FnOnce(&mut Spec)) -> Result<(), EditError> {
         let node = self.graph.node(id).ok_or(EditError::NoSuchNode(id))?;
-        let out = node.out.iter().map(|l| Edge::new(id, l.relation(), l.node()));
-        let inc = node.inc.iter().map(|l| Edge::new(l.node(), l.relation(), id));
-        let mut edges: Vec<Edge> = out.chain(inc).collect();
+        let mut edges: Vec<Edge> = node.edges().collect();
         edges.dedup();
-        let mut other = node.clone();
-        other.out.retain(|_| false);
-        other.inc.retain(|_| false);
+        let mut other = node.bare();
         change(Arc::make_mut(&mut other.spec));
         edges.iter().for_each(|edge| self.make(Change::Unlink(*edge)));
         if let Some(bare) = self.graph.nodes.get(id).cloned() {

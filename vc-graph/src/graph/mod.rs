@@ -13,6 +13,7 @@ use crate::asset::AssetLibrary;
 use crate::class::ClassTable;
 use crate::grid::Grid;
 use crate::node::{Node, NodeKind};
+use crate::space::NumberBlock;
 use crate::spelling::key;
 use crate::store::Store;
 use crate::{Label, NodeId, ObjectRole, Property, Relation, State, Vocabulary};
@@ -52,6 +53,8 @@ pub struct SceneGraph {
     pub(crate) agents: Arc<Vec<NodeId>>,
     pub(crate) grid: Arc<Grid>,
     pub(crate) next: u32,
+    /// The numbers that new nodes get.
+    pub(crate) numbers: NumberBlock,
 }
 
 impl SceneGraph {
@@ -67,6 +70,7 @@ impl SceneGraph {
             agents: Arc::default(),
             grid: Arc::default(),
             next: 1,
+            numbers: NumberBlock::ALL,
         }
     }
 

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use super::SceneGraph;
 use crate::node::{Link, Node, NodeKind};
+use crate::space::NumberBlock;
 use crate::{Edge, NodeId};
 
 /// The primitive writes from which edits and change sets are made. Each keeps both ends of a relation and all
@@ -12,6 +13,44 @@ impl SceneGraph {
     /// The number that the next added node gets. It grows past the numbers of nodes that have been removed.
     pub fn next_number(&self) -> u32 {
         self.next
+    }
+
+    /// The scene with the numbers of a block: the lowest number becomes the first of the block, and the others keep their
+    /// distances. `None` if the block has too few numbers. Costs a copy of the scene.
+    ///
+    /// ```
+    /// use vc_graph::space::NumberBlock;
+    /// use vc_graph::{Draft, NodeId, SceneBuilder};
+    /// let mut scene = SceneBuilder::new("flat");
+    /// let kitchen = scene.add(Draft::new("kitchen"))?;
+    /// scene.add_in(kitchen, Draft::new("fridge"))?;
+    /// let flat = scene.build().renumbered(NumberBlock { first: 500, count: 100 }).ok_or("too many nodes")?;
+    /// assert_eq!((flat.rooms(), flat.next_number()), (&[NodeId(500)][..], 502));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn renumbered(&self, block: NumberBlock) -> Option<Self> {
+        let ids = || self.nodes.iter().map(|node| node.id.0);
+        let lowest = ids().min().unwrap_or(block.first);
+        let new = |id: NodeId| NodeId(id.0 - lowest + block.first);
+        if ids().max().is_some_and(|highest| highest - lowest >= block.count) {
+            return None;
+        }
+        let mut graph = Self::new(self.name.clone(), self.classes.clone());
+        graph.assets = self.assets.clone();
+        graph.number_in(block, block.first);
+        for node in self.nodes.iter() {
+            graph.insert(Arc::new(Node { id: new(node.id), ..node.bare() }));
+        }
+        for edge in self.edges() {
+            graph.link(Edge::new(new(edge.from), edge.relation, new(edge.to)));
+        }
+        Some(graph)
+    }
+
+    /// Gives new nodes numbers of a block, from a number on.
+    pub(crate) fn number_in(&mut self, block: NumberBlock, from: u32) {
+        let used = self.nodes.iter().map(|node| node.id).filter(|id| block.has(*id)).map(|id| id.0 + 1).max();
+        (self.numbers, self.next) = (block, from.max(block.first).max(used.unwrap_or(0)));
     }
 
     pub(crate) fn insert(&mut self, node: Arc<Node>) {
@@ -25,7 +64,10 @@ impl SceneGraph {
             NodeKind::Agent => add_sorted(Arc::make_mut(&mut self.agents), id),
             NodeKind::Object => {}
         }
-        self.next = self.next.max(id.0.saturating_add(1));
+        // Nodes of other regions have other numbers.
+        if self.numbers.has(id) {
+            self.next = self.next.max(id.0.saturating_add(1));
+        }
         self.nodes.insert(id, node);
     }
 

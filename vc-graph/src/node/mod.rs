@@ -11,7 +11,7 @@ use nalgebra::{Point3, Vector3};
 use crate::class::{Slot, SlotKind};
 use crate::geometry::{Aabb, Bounds, Pose};
 use crate::vocabulary::Word;
-use crate::{AssetId, Label, NodeId, ObjectRole, Place, Property, PropertySet, Relation, State, StateSet};
+use crate::{AssetId, Edge, Label, NodeId, ObjectRole, Place, Property, PropertySet, Relation, State, StateSet};
 
 pub use draft::Draft;
 pub(crate) use draft::role_of;
@@ -259,6 +259,17 @@ impl Node {
     }
 
     /// Everything that rests on, in or with the node, or is held by it.
+    /// The edges that start or end at the node.
+    pub(crate) fn edges(&self) -> impl Iterator<Item = Edge> {
+        let out = self.out.iter().map(|link| Edge::new(self.id, link.relation(), link.node()));
+        out.chain(self.inc.iter().map(|link| Edge::new(link.node(), link.relation(), self.id)))
+    }
+
+    /// The node without its relations.
+    pub(crate) fn bare(&self) -> Self {
+        Self { out: Vec::new(), inc: Vec::new(), ..self.clone() }
+    }
+
     pub(crate) fn carried(&self) -> impl Iterator<Item = NodeId> {
         let held = self.out.iter().filter(|l| self.spec.kind == NodeKind::Agent && is_hand(l));
         resting(&self.inc).chain(held).map(|l| l.node())

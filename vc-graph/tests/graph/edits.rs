@@ -4,7 +4,8 @@
 use std::collections::BTreeSet;
 
 use proptest::prelude::*;
-use vc_graph::{Draft, Edge, EditError, NodeId, Place, Pose, Relation, SceneBuilder, SceneGraph, State};
+use vc_graph::format::native;
+use vc_graph::{ChangeSet, Draft, Edge, EditError, NodeId, Place, Pose, Relation, SceneBuilder, SceneGraph, State};
 use vc_testkit::edits::{apply, make, plans};
 use vc_testkit::flat::Flat;
 use vc_testkit::scenes::{scene, steps};
@@ -53,6 +54,27 @@ proptest! {
             prop_assert!(graph == *after);
             prop_assert!(set.inverse().inverse() == *set);
         }
+    }
+
+    #[test]
+    fn what_lies_between_two_states_leads_from_one_to_the_other(steps in steps(12), plans in plans(25), middle in 0_usize..25) {
+        let mut graph = scene(&steps, true);
+        let mut past = vec![graph.clone()];
+        for plan in plans {
+            apply(&mut graph, plan);
+            past.push(graph.clone());
+        }
+        let before = &past[middle.min(past.len() - 1)];
+        let changes = ChangeSet::between(before, &graph);
+        let mut again = before.clone();
+        changes.apply(&mut again).unwrap();
+        prop_assert!(again == graph);
+        changes.undo(&mut again).unwrap();
+        prop_assert!(again == *before);
+        prop_assert!(ChangeSet::between(&graph, &graph.clone()).is_empty());
+        // A scene that shares nothing with the other says the same.
+        let apart = native::read(&native::write(&graph), graph.classes()).unwrap();
+        prop_assert!(ChangeSet::between(&apart, &graph).is_empty());
     }
 
     #[test]

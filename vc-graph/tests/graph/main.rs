@@ -26,4 +26,5 @@ mod rule_liquids;
 mod rule_people;
 mod rule_random;
 mod rule_repairs;
+mod space;
 mod texts;

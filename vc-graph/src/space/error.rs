@@ -1,0 +1,117 @@
+//! Errors of spaces and of crossings.
+
+use super::{PortalId, RegionId};
+use crate::{ChangeMismatch, Label, NodeId};
+
+/// An error in the plan of a [`Space`](super::Space), or in a scene that is given for a region.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum SpaceError {
+    /// A region is part of one that does not exist yet.
+    #[error("`{name}` is part of {parent}, which is not in the plan; add regions from the whole to its parts")]
+    NoSuchParent {
+        /// The region's name.
+        name: String,
+        /// The missing region.
+        parent: RegionId,
+    },
+    /// There is no such region, or it is a group without a scene.
+    #[error("{0} has no scene in this plan")]
+    NoScene(RegionId),
+    /// A frame or pose is not finite.
+    #[error("the frame of `{0}` is not finite")]
+    NotFinite(String),
+    /// Node numbers are used up.
+    #[error("`{name}` asks for {count} node numbers, {left} are left")]
+    NumbersExhausted {
+        /// The region's name.
+        name: String,
+        /// The numbers that it asks for.
+        count: u32,
+        /// The numbers that are left.
+        left: u32,
+    },
+    /// Both sides of a portal are the same region.
+    #[error("a portal joins {0} with itself")]
+    JoinsItself(RegionId),
+    /// The width or height of a portal is not positive.
+    #[error("a portal between {0} and {1} is {2} m wide and {3} m high: both must be positive")]
+    NoOpening(RegionId, RegionId, f32, f32),
+    /// The two sides of a portal are not at the same place, or do not face each other.
+    #[error("the sides of a portal between {0} and {1} are {2:.2} m and {3:.0} degrees apart")]
+    SidesApart(RegionId, RegionId, f64, f64),
+    /// A node of a scene has a number that is not of its region.
+    #[error("{node} has a number outside the block of {region}: build the scene with `SceneBuilder::numbers`")]
+    ForeignNumber {
+        /// The region.
+        region: RegionId,
+        /// The node.
+        node: Label,
+    },
+    /// The region is active already.
+    #[error("{0} is active already")]
+    Active(RegionId),
+    /// The scene that was made for a dormant region is not the one from which its changes were recorded.
+    #[error("{region} was made otherwise when it was left: {mismatch}")]
+    MadeOtherwise {
+        /// The region.
+        region: RegionId,
+        /// The first change that does not fit.
+        mismatch: Box<ChangeMismatch>,
+    },
+}
+
+/// The reason why nobody goes through a portal; nothing has changed then.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum PassError {
+    /// There is no such node in an active region.
+    #[error("there is no node {0} in an active region")]
+    NoSuchNode(NodeId),
+    /// There is no such portal.
+    #[error("there is no {0}")]
+    NoSuchPortal(PortalId),
+    /// The node's region is on neither side of the portal.
+    #[error("{node} is in {region}, which {portal} does not join")]
+    Elsewhere {
+        /// The node.
+        node: Label,
+        /// Its region.
+        region: RegionId,
+        /// The portal.
+        portal: PortalId,
+    },
+    /// The portal is shut, or nobody fits through a portal of its kind.
+    #[error("{0} cannot be passed: it is shut")]
+    Shut(PortalId),
+    /// The region beyond is not active.
+    #[error("{0}, beyond the portal, is not active")]
+    NotActive(RegionId),
+    /// The region beyond has no room to be in.
+    #[error("{0}, beyond the portal, has no room")]
+    NoRoom(RegionId),
+    /// The node rests on something that stays.
+    #[error("{node} rests at {at}, which stays in {region}: stand up or be picked up first")]
+    Resting {
+        /// The node.
+        node: Label,
+        /// The thing that it rests on, in or with.
+        at: Label,
+        /// The region.
+        region: RegionId,
+    },
+    /// The scene beyond has a node of the same number.
+    #[error("the scene beyond has a node with the number of {0}: numbers are those of a region's block")]
+    Taken(Label),
+    /// A room does not move.
+    #[error("{0} is a room, which stays where it is")]
+    IsRoom(Label),
+    /// The shape of a thing cannot be taken over.
+    #[error("the shape of {node} cannot be taken over: {error}")]
+    Shape {
+        /// The node.
+        node: Label,
+        /// The reason.
+        error: crate::asset::AssetError,
+    },
+}

@@ -1,0 +1,212 @@
+//! The state of a world: the scenes of its active regions, and what has changed in the others.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use super::{NumberBlock, PortalId, PortalState, RegionId, Space, SpaceError};
+use crate::{Action, AssetLibrary, ChangeSet, Edit, Label, Node, NodeId, Refusal, SceneGraph, State, rule};
+
+/// The numbers that a region whose block is full gets at a time.
+const SLICE: u32 = 4096;
+/// The numbers that a scene has left when an edit begins, at least.
+const SPARE: u32 = 256;
+
+/// The scenes of a world, region by region.
+///
+/// A region is *active* while its scene is here; it becomes *dormant* by [`RegionGraphs::rest`], which keeps what has
+/// changed since it was made, and active again by [`RegionGraphs::insert`] with the scene as it was made. No relation leads
+/// from one region to another; [`RegionGraphs::pass`] takes those who go through a portal, with all that they carry, from one
+/// scene to the other.
+///
+/// Cloning costs a pointer for each active region. No call costs more for a larger world, but for binary searches.
+#[derive(Clone)]
+pub struct RegionGraphs {
+    space: Arc<Space>,
+    pub(super) active: BTreeMap<RegionId, Active>,
+    dormant: Arc<BTreeMap<RegionId, Dormant>>,
+    /// The regions of nodes that are not where they were made.
+    pub(super) moved: Arc<BTreeMap<NodeId, RegionId>>,
+    /// The regions that go on with numbers of the overflow, by their slices.
+    slices: Arc<Vec<RegionId>>,
+}
+
+/// A scene, and the same as it was made.
+#[derive(Clone)]
+pub(super) struct Active {
+    pub(super) graph: SceneGraph,
+    made: SceneGraph,
+}
+
+/// The record of a region that was left.
+#[derive(Debug, Clone, PartialEq)]
+struct Dormant {
+    changes: ChangeSet,
+    numbers: NumberBlock,
+    next: u32,
+    /// The shapes, if some came from other regions.
+    assets: Option<Arc<AssetLibrary>>,
+    /// The leaves of its portals that are open.
+    open: Vec<NodeId>,
+}
+
+impl RegionGraphs {
+    /// A world in which no region has been active.
+    pub fn new(space: Arc<Space>) -> Self {
+        let (dormant, moved, slices) = Default::default();
+        Self { space, active: BTreeMap::new(), dormant, moved, slices }
+    }
+
+    /// The plan of the world.
+    pub fn space(&self) -> &Arc<Space> {
+        &self.space
+    }
+
+    /// Makes a region active, with the scene that its generator made. Changes from before it was left are done again.
+    ///
+    /// # Errors
+    /// [`SpaceError::NoScene`], [`SpaceError::Active`], [`SpaceError::ForeignNumber`]; [`SpaceError::MadeOtherwise`] if the
+    /// scene is not as it was when the region was active before. Nothing has changed then.
+    pub fn insert(&mut self, region: RegionId, made: SceneGraph) -> Result<(), SpaceError> {
+        let plan = self.space.region(region).filter(|plan| plan.has_scene()).ok_or(SpaceError::NoScene(region))?;
+        if self.active.contains_key(&region) {
+            return Err(SpaceError::Active(region));
+        }
+        if let Some(node) = made.nodes().find(|node| !plan.numbers.has(node.id())) {
+            return Err(SpaceError::ForeignNumber { region, node: node.label() });
+        }
+        let mut graph = made.clone();
+        graph.number_in(plan.numbers, plan.numbers.first);
+        if let Some(dormant) = self.dormant.get(&region) {
+            let otherwise = |mismatch| SpaceError::MadeOtherwise { region, mismatch: Box::new(mismatch) };
+            dormant.changes.apply(&mut graph).map_err(otherwise)?;
+            graph.number_in(dormant.numbers, dormant.next);
+            graph.assets = dormant.assets.clone().unwrap_or(graph.assets);
+            Arc::make_mut(&mut self.dormant).remove(&region);
+        }
+        self.active.insert(region, Active { graph, made });
+        Ok(())
+    }
+
+    /// Makes a region dormant: its scene goes, what has changed since it was made stays. Costs what has changed.
+    ///
+    /// # Errors
+    /// [`SpaceError::NoScene`] if it is not active.
+    pub fn rest(&mut self, region: RegionId) -> Result<(), SpaceError> {
+        let Active { graph, made } = self.active.remove(&region).ok_or(SpaceError::NoScene(region))?;
+        let leaves = self.space.portals_of(region).filter_map(|portal| self.space.portal(portal)?.leaf);
+        let open = leaves.filter(|leaf| graph.node(*leaf).is_some_and(|node| node.is(State::Open))).collect();
+        let dormant = Dormant {
+            changes: ChangeSet::between(&made, &graph),
+            numbers: graph.numbers,
+            next: graph.next,
+            assets: (!Arc::ptr_eq(&graph.assets, &made.assets)).then_some(graph.assets),
+            open,
+        };
+        Arc::make_mut(&mut self.dormant).insert(region, dormant);
+        Ok(())
+    }
+
+    /// The active regions, in order.
+    pub fn active(&self) -> impl Iterator<Item = RegionId> + '_ {
+        self.active.keys().copied()
+    }
+
+    /// The changes that a dormant region keeps; `None` if it is active or has never been so.
+    pub fn changes(&self, region: RegionId) -> Option<&ChangeSet> {
+        self.dormant.get(&region).map(|dormant| &dormant.changes)
+    }
+
+    /// The scene of an active region.
+    pub fn graph(&self, region: RegionId) -> Option<&SceneGraph> {
+        self.active.get(&region).map(|active| &active.graph)
+    }
+
+    /// Begins an edit in an active region. At least 256 nodes can be added in it.
+    pub fn edit(&mut self, region: RegionId) -> Option<Edit<'_>> {
+        self.prepare(region)?;
+        self.active.get_mut(&region).map(|active| active.graph.edit())
+    }
+
+    /// Does an action by the transition rule, in the agent's region.
+    ///
+    /// # Errors
+    /// Every [`Refusal`], as [`rule::step`]; [`Refusal::NoSuchThing`] if the agent is in no active region.
+    pub fn step(&mut self, agent: NodeId, action: &Action) -> Result<ChangeSet, Vec<Refusal>> {
+        let nobody = || vec![Refusal::NoSuchThing(agent)];
+        let region = self.region_of(agent).ok_or_else(nobody)?;
+        self.prepare(region).ok_or_else(nobody)?;
+        let active = self.active.get_mut(&region).ok_or_else(nobody)?;
+        rule::step(&mut active.graph, agent, action)
+    }
+
+    /// The region of a node: where it was made, unless it has moved. A number that no node has may have a region, too.
+    pub fn region_of(&self, node: NodeId) -> Option<RegionId> {
+        self.moved.get(&node).copied().or_else(|| self.made_in(node))
+    }
+
+    /// A node of an active region.
+    pub fn node(&self, id: NodeId) -> Option<&Node> {
+        self.graph(self.region_of(id)?)?.node(id)
+    }
+
+    /// Class and number of a node, for messages; the class is `?` where its region is not active.
+    pub fn label(&self, id: NodeId) -> Label {
+        self.node(id).map_or_else(|| Label { class: "?".into(), id }, Node::label)
+    }
+
+    /// Whether a portal lets people, views and sounds through now. The leaf of a region that has never been active is shut.
+    pub fn portal(&self, portal: PortalId) -> Option<PortalState> {
+        let plan = self.space.portal(portal)?;
+        Some(plan.state(plan.leaf.is_some_and(|leaf| self.is_open(leaf))))
+    }
+
+    fn is_open(&self, leaf: NodeId) -> bool {
+        let Some(region) = self.region_of(leaf) else { return false };
+        match self.graph(region) {
+            Some(graph) => graph.node(leaf).is_some_and(|node| node.is(State::Open)),
+            None => self.dormant.get(&region).is_some_and(|dormant| dormant.open.contains(&leaf)),
+        }
+    }
+
+    pub(super) fn made_in(&self, node: NodeId) -> Option<RegionId> {
+        if !NumberBlock::OVERFLOW.has(node) || self.space.len() == 1 {
+            return self.space.made_in(node);
+        }
+        let slice = (node.0 - NumberBlock::OVERFLOW.first) / SLICE;
+        self.slices.get(slice as usize).copied()
+    }
+
+    /// Lets an active region go on with numbers of the overflow if it has few left.
+    fn prepare(&mut self, region: RegionId) -> Option<()> {
+        let graph = &mut self.active.get_mut(&region)?.graph;
+        if graph.numbers.end().saturating_sub(graph.next) < SPARE {
+            let slice = self.slices.len() as u32;
+            let first = NumberBlock::OVERFLOW.first.checked_add(slice.checked_mul(SLICE)?)?;
+            let numbers = NumberBlock { first, count: SLICE };
+            if NumberBlock::OVERFLOW.has(NodeId(numbers.end() - 1)) {
+                graph.number_in(numbers, first);
+                Arc::make_mut(&mut self.slices).push(region);
+            }
+        }
+        Some(())
+    }
+}
+
+/// Two worlds are equal if their plans are, the scenes of their active regions, what changed in the others, and where things
+/// are.
+impl PartialEq for RegionGraphs {
+    fn eq(&self, other: &Self) -> bool {
+        let scenes = || self.active.iter().map(|(id, active)| (id, &active.graph));
+        self.space == other.space
+            && scenes().eq(other.active.iter().map(|(id, active)| (id, &active.graph)))
+            && (&self.dormant, &self.moved, &self.slices) == (&other.dormant, &other.moved, &other.slices)
+    }
+}
+
+impl std::fmt::Debug for RegionGraphs {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let graphs = self.active.iter().map(|(id, active)| (id, &active.graph));
+        write!(f, "RegionGraphs({} dormant) ", self.dormant.len())?;
+        f.debug_map().entries(graphs).finish()
+    }
+}

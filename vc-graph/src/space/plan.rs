@@ -1,0 +1,219 @@
+//! The fixed plan of a world: its regions and portals.
+
+use nalgebra::Vector3;
+
+use super::{NumberBlock, Portal, PortalId, Region, RegionId, SpaceError};
+use crate::NodeId;
+use crate::geometry::is_finite;
+
+/// The greatest distance between the two sides of a portal, metres: the thickness of a wall.
+const WALL: f64 = 0.6;
+/// The greatest deviation of the two sides from facing each other, degrees.
+const FACING: f64 = 5.0;
+
+/// The plan of a world: a tree of regions, and the portals between them. It does not change; keep it in an `Arc`.
+/// A region takes some hundred bytes, whatever is in it.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Space {
+    regions: Vec<Region>,
+    portals: Vec<Portal>,
+    children: Lists,
+    openings: Lists,
+    /// The regions with scenes, whose blocks of numbers are in the same order.
+    scenes: Vec<RegionId>,
+}
+
+impl Space {
+    /// A world of a single region, with all node numbers: that of a scene that stands alone.
+    pub fn single(region: Region) -> Self {
+        let region = Region { numbers: NumberBlock::ALL, parent: None, ..region };
+        let lists = || Lists::new(1, &[]);
+        Self {
+            regions: vec![region],
+            portals: Vec::new(),
+            children: lists(),
+            openings: lists(),
+            scenes: vec![RegionId(0)],
+        }
+    }
+
+    /// The number of regions, groups included.
+    pub fn len(&self) -> usize {
+        self.regions.len()
+    }
+
+    /// Whether there are no regions.
+    pub fn is_empty(&self) -> bool {
+        self.regions.is_empty()
+    }
+
+    /// All regions with their numbers, each after the one that it is part of.
+    pub fn regions(&self) -> impl Iterator<Item = (RegionId, &Region)> {
+        (0..).map(RegionId).zip(&self.regions)
+    }
+
+    /// The region with a number.
+    pub fn region(&self, id: RegionId) -> Option<&Region> {
+        self.regions.get(id.0 as usize)
+    }
+
+    /// The regions that are directly part of a region, in order.
+    pub fn parts(&self, id: RegionId) -> impl Iterator<Item = RegionId> + '_ {
+        self.children.of(id).map(RegionId)
+    }
+
+    /// The names of a region and of those that it is part of, the outermost first: `house/storey 1/flat 3`.
+    pub fn path(&self, id: RegionId) -> String {
+        let mut names = Vec::new();
+        let mut next = self.region(id);
+        while let Some(region) = next {
+            names.push(&*region.name);
+            next = region.parent.and_then(|parent| self.region(parent));
+        }
+        names.reverse();
+        names.join("/")
+    }
+
+    /// All portals with their numbers.
+    pub fn portals(&self) -> impl Iterator<Item = (PortalId, &Portal)> {
+        (0..).map(PortalId).zip(&self.portals)
+    }
+
+    /// The portal with a number.
+    pub fn portal(&self, id: PortalId) -> Option<&Portal> {
+        self.portals.get(id.0 as usize)
+    }
+
+    /// The portals of a region, in order.
+    pub fn portals_of(&self, id: RegionId) -> impl Iterator<Item = PortalId> + '_ {
+        self.openings.of(id).map(PortalId)
+    }
+
+    /// The region in whose block a node's number is. Costs a binary search.
+    pub fn made_in(&self, node: NodeId) -> Option<RegionId> {
+        let first = |id: &RegionId| self.regions[id.0 as usize].numbers.first;
+        let place = self.scenes.partition_point(|id| first(id) <= node.0).checked_sub(1)?;
+        Some(self.scenes[place]).filter(|id| self.regions[id.0 as usize].numbers.has(node))
+    }
+}
+
+/// Makes a [`Space`] region by region, from the whole to its parts, and portal by portal.
+///
+/// ```
+/// use vc_graph::space::{Region, RegionKind, SpaceBuilder, SpaceError};
+/// let mut plan = SpaceBuilder::new();
+/// let house = plan.add(Region::new(RegionKind::Building, "house").shifted(100.0, 0.0, 0.0))?;
+/// let flat = plan.add(Region::new(RegionKind::Unit, "apartment/42").within(house).with_numbers(2000))?;
+/// let space = plan.build();
+/// assert_eq!(space.path(flat), "house/apartment/42");
+/// assert_eq!(space.region(flat).map(|region| region.frame.origin.x), Some(100.0));
+/// # Ok::<(), SpaceError>(())
+/// ```
+#[derive(Debug, Clone, Default)]
+pub struct SpaceBuilder {
+    regions: Vec<Region>,
+    portals: Vec<Portal>,
+    used: u32,
+}
+
+impl SpaceBuilder {
+    /// An empty plan.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Adds a region; its frame and its block of numbers are worked out.
+    ///
+    /// # Errors
+    /// [`SpaceError::NoSuchParent`], [`SpaceError::NotFinite`], [`SpaceError::NumbersExhausted`].
+    pub fn add(&mut self, mut region: Region) -> Result<RegionId, SpaceError> {
+        let name = || region.name.to_string();
+        let outer = match region.parent {
+            None => super::Frame::WORLD,
+            Some(parent) => match self.regions.get(parent.0 as usize) {
+                Some(outer) => outer.frame,
+                None => return Err(SpaceError::NoSuchParent { name: name(), parent }),
+            },
+        };
+        if !region.frame.is_finite() {
+            return Err(SpaceError::NotFinite(name()));
+        }
+        let (count, left) = (region.numbers.count, NumberBlock::OVERFLOW.first - 1 - self.used);
+        if count > left {
+            return Err(SpaceError::NumbersExhausted { name: name(), count, left });
+        }
+        region.frame = region.frame.within(&outer);
+        region.numbers.first = self.used + 1;
+        self.used += count;
+        self.regions.push(region);
+        Ok(RegionId(self.regions.len() as u32 - 1))
+    }
+
+    /// Adds a portal between two regions that have scenes.
+    ///
+    /// # Errors
+    /// [`SpaceError::NoScene`], [`SpaceError::JoinsItself`], [`SpaceError::NoOpening`], [`SpaceError::NotFinite`],
+    /// [`SpaceError::SidesApart`].
+    pub fn join(&mut self, portal: Portal) -> Result<PortalId, SpaceError> {
+        let [one, other] = &portal.sides;
+        let (first, second) = (self.with_scene(one.region)?, self.with_scene(other.region)?);
+        if one.region == other.region {
+            return Err(SpaceError::JoinsItself(one.region));
+        }
+        let positive = |value: f32| value.is_finite() && value > 0.0;
+        if !positive(portal.width) || !positive(portal.height) {
+            return Err(SpaceError::NoOpening(one.region, other.region, portal.width, portal.height));
+        }
+        if let Some((_, region)) = [(one, first), (other, second)].into_iter().find(|(side, _)| !is_finite(&side.pose))
+        {
+            return Err(SpaceError::NotFinite(region.name.to_string()));
+        }
+        let (here, there) = (first.frame.pose(&one.pose), second.frame.pose(&other.pose));
+        let apart = (here.translation.vector - there.translation.vector).norm();
+        let turned = (here * Vector3::x()).angle(&(there * -Vector3::x())).to_degrees();
+        if apart > WALL || turned > FACING {
+            return Err(SpaceError::SidesApart(one.region, other.region, apart, turned));
+        }
+        self.portals.push(portal);
+        Ok(PortalId(self.portals.len() as u32 - 1))
+    }
+
+    /// The finished plan.
+    pub fn build(self) -> Space {
+        let Self { regions, portals, .. } = self;
+        let count = regions.len();
+        let numbered = || (0_u32..).zip(&regions);
+        let children: Vec<(RegionId, u32)> = numbered().filter_map(|(id, region)| Some((region.parent?, id))).collect();
+        let sides = (0_u32..).zip(&portals).flat_map(|(id, portal)| portal.sides.map(|side| (side.region, id)));
+        let openings: Vec<(RegionId, u32)> = sides.collect();
+        let scenes = numbered().filter(|(_, region)| region.has_scene()).map(|(id, _)| RegionId(id)).collect();
+        let (children, openings) = (Lists::new(count, &children), Lists::new(count, &openings));
+        Space { children, openings, scenes, regions, portals }
+    }
+
+    fn with_scene(&self, id: RegionId) -> Result<&Region, SpaceError> {
+        self.regions.get(id.0 as usize).filter(|region| region.has_scene()).ok_or(SpaceError::NoScene(id))
+    }
+}
+
+/// A list of numbers for each region, one after the other.
+#[derive(Debug, Clone, PartialEq, Default)]
+struct Lists {
+    starts: Vec<u32>,
+    items: Vec<u32>,
+}
+
+impl Lists {
+    fn new(regions: usize, pairs: &[(RegionId, u32)]) -> Self {
+        let mut sorted = pairs.to_vec();
+        sorted.sort_unstable();
+        let starts = (0..=regions as u32).map(|id| sorted.partition_point(|(of, _)| of.0 < id) as u32).collect();
+        Self { starts, items: sorted.into_iter().map(|(_, item)| item).collect() }
+    }
+
+    fn of(&self, id: RegionId) -> impl Iterator<Item = u32> + '_ {
+        let place = |at: u32| self.starts.get(at as usize).map(|start| *start as usize);
+        let range = place(id.0).zip(place(id.0.saturating_add(1))).map_or(0..0, |(from, to)| from..to);
+        self.items[range].iter().copied()
+    }
+}

@@ -1,0 +1,309 @@
+//! Regions and portals: what passes from one scene to another, and scenes that come and go.
+
+#![allow(clippy::unwrap_used, reason = "tests may unwrap")]
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::f32::consts::PI;
+
+use proptest::prelude::*;
+use vc_graph::nalgebra::{Isometry3, Vector3};
+use vc_graph::space::{
+    Frame, NumberBlock, PassError, Portal, PortalId, PortalKind, PortalSide, Region, RegionGraphs, RegionId,
+    RegionKind, Space, SpaceBuilder, SpaceError,
+};
+use vc_graph::{Draft, Edge, NodeId, Pose, Relation, SceneBuilder, SceneGraph, State};
+use vc_testkit::cases;
+use vc_testkit::edits::{make, plans};
+use vc_testkit::scenes::{scene, steps};
+
+const REGIONS: u32 = 3;
+
+fn side(region: u32, x: f32, heading: f32) -> PortalSide {
+    let pose = Pose::translation(x, 0.0, 0.0) * Pose::rotation(Vector3::new(0.0, 0.0, heading));
+    PortalSide { region: RegionId(region), pose, room: None }
+}
+
+/// Regions in a row, ten metres each, far from the origin and turned, with a passage between each and the next.
+fn row() -> Space {
+    let mut plan = SpaceBuilder::new();
+    let house = Region::new(RegionKind::Building, "house").at(Frame::new([4000.0, -3000.0, 60.0], 0.65));
+    let house = plan.add(house).unwrap();
+    for number in 0..REGIONS {
+        let flat = Region::new(RegionKind::Unit, format!("flat {number}")).within(house).with_numbers(2000);
+        plan.add(flat.shifted(10.0 * f64::from(number), 0.0, 0.0)).unwrap();
+    }
+    for number in 1..REGIONS {
+        let sides = [side(number, 10.0, 0.0), side(number + 1, 0.0, PI)];
+        plan.join(Portal::new(PortalKind::Passage, sides, 1.0, 2.0)).unwrap();
+    }
+    plan.build()
+}
+
+/// A random scene with the numbers of a region, an agent that stands in its first room, and a cup in its hand.
+fn flat(space: &Space, region: RegionId, build: &[vc_testkit::scenes::Step]) -> SceneGraph {
+    let mut built = SceneBuilder::from_graph(scene(build, true));
+    let room = built.add(Draft::new("hallway").at(Pose::translation(5.0, 0.0, 0.0))).unwrap();
+    let me = built.add_in(room, Draft::new("character").at(Pose::translation(9.0, 0.0, 0.0))).unwrap();
+    let cup = built.add(Draft::new("cup").at(Pose::translation(9.2, 0.1, 1.0))).unwrap();
+    let mut edit = built.edit();
+    edit.hold(me, cup).unwrap();
+    edit.commit();
+    built.build().renumbered(space.region(region).unwrap().numbers).unwrap()
+}
+
+fn world(builds: &[Vec<vc_testkit::scenes::Step>]) -> (RegionGraphs, BTreeMap<RegionId, SceneGraph>) {
+    let space = row();
+    let scenes = (1..).map(RegionId).zip(builds);
+    let made: BTreeMap<RegionId, SceneGraph> = scenes.map(|(id, build)| (id, flat(&space, id, build))).collect();
+    let mut world = RegionGraphs::new(space.into());
+    made.iter().for_each(|(id, scene)| world.insert(*id, scene.clone()).unwrap());
+    (world, made)
+}
+
+/// All nodes with their states and poses in the world.
+fn nodes(world: &RegionGraphs) -> BTreeMap<NodeId, (String, Option<Isometry3<f64>>)> {
+    let frame = |region| world.space().region(region).unwrap().frame;
+    let of = |region| {
+        let nodes = world.graph(region).unwrap().nodes();
+        nodes.map(move |node| {
+            let pose = node.pose().map(|pose| frame(region).pose(pose));
+            (node.id(), (format!("{} {}", node.class(), node.states()), pose))
+        })
+    };
+    world.active().flat_map(of).collect()
+}
+
+fn edges(world: &RegionGraphs) -> BTreeSet<Edge> {
+    world.active().flat_map(|region| world.graph(region).unwrap().edges().collect::<Vec<_>>()).collect()
+}
+
+fn is_near(one: &Option<Isometry3<f64>>, other: &Option<Isometry3<f64>>) -> bool {
+    match (one, other) {
+        (Some(one), Some(other)) => {
+            let turned = one.rotation.angle_to(&other.rotation);
+            // Poses of random scenes are up to some hundred metres from their origins.
+            (one.translation.vector - other.translation.vector).norm() < 1e-3 && turned < 1e-3
+        }
+        _ => one.is_none() && other.is_none(),
+    }
+}
+
+proptest! {
+    #![proptest_config(cases(100))]
+
+    #[test]
+    fn who_passes_takes_along_what_it_carries_and_nothing_else(
+        builds in prop::collection::vec(steps(8), REGIONS as usize),
+        moves in prop::collection::vec((any::<prop::sample::Index>(), 0..REGIONS - 1), 1..8),
+        edit in plans(6),
+    ) {
+        let (mut world, _) = world(&builds);
+        let mut past = Vec::new();
+        for (which, portal) in moves {
+            let before = world.clone();
+            let (was, had) = (nodes(&before), edges(&before));
+            let ids: Vec<NodeId> = was.keys().copied().collect();
+            let node = ids[which.index(ids.len())];
+            let Ok(crossing) = world.pass(node, PortalId(portal)) else {
+                prop_assert!(world == before);
+                continue;
+            };
+            // A slow and obvious version: the same nodes, those that went in another region, at the same places.
+            let now = nodes(&world);
+            prop_assert!(now.keys().eq(was.keys()));
+            for (id, (said, at)) in &now {
+                prop_assert_eq!(said, &was[id].0);
+                prop_assert!(is_near(at, &was[id].1), "{}: {:?} {:?}", id, at, was[id].1);
+            }
+            let went: BTreeSet<NodeId> = crossing.nodes.iter().copied().collect();
+            let expected: Vec<NodeId> = before.graph(crossing.from).unwrap().carried_with(node);
+            prop_assert!(expected == crossing.nodes);
+            for id in &ids {
+                let at = if went.contains(id) { crossing.to } else { before.region_of(*id).unwrap() };
+                prop_assert_eq!(world.region_of(*id), Some(at));
+                prop_assert!(world.graph(at).unwrap().node(*id).is_some());
+            }
+            let room = world.graph(crossing.to).unwrap().rooms()[0];
+            let stays = |edge: &Edge| went.contains(&edge.from) == went.contains(&edge.to);
+            let mut kept: BTreeSet<Edge> = had.into_iter().filter(stays).collect();
+            kept.extend(went.iter().map(|id| Edge::new(*id, Relation::InRoom, room)));
+            prop_assert!(edges(&world) == kept);
+            past.push((crossing, before));
+        }
+        // The scenes go on as any other.
+        let after = world.clone();
+        for (region, plan) in (1..=REGIONS).map(RegionId).cycle().zip(edit) {
+            let mut change = world.edit(region).unwrap();
+            make(&mut change, plan).unwrap();
+            change.commit();
+            prop_assert_eq!(world.graph(region).unwrap().validate(), []);
+        }
+        world = after;
+        for (crossing, before) in past.into_iter().rev() {
+            world.take_back(&crossing).unwrap();
+            prop_assert!(world == before);
+        }
+    }
+
+    #[test]
+    fn regions_that_are_left_and_entered_again_in_any_order_are_as_before(
+        builds in prop::collection::vec(steps(8), REGIONS as usize),
+        plan in plans(12),
+        order in Just([1, 2, 3]).prop_shuffle(),
+        back in Just([1, 2, 3]).prop_shuffle(),
+    ) {
+        let (mut world, made) = world(&builds);
+        let me = world.graph(RegionId(1)).unwrap().agents().last().copied().unwrap();
+        let _ = world.pass(me, PortalId(0));
+        for (region, plan) in (1..=REGIONS).map(RegionId).cycle().zip(plan) {
+            let mut change = world.edit(region).unwrap();
+            make(&mut change, plan).unwrap();
+            change.commit();
+        }
+        let before = world.clone();
+        for _ in 0..3 {
+            order.iter().for_each(|id| world.rest(RegionId(*id)).unwrap());
+            prop_assert_eq!(world.active().count(), 0);
+            for id in back.map(RegionId) {
+                world.insert(id, made[&id].clone()).unwrap();
+            }
+            prop_assert!(world == before);
+            for id in back.map(RegionId) {
+                let (here, there) = (world.graph(id).unwrap(), before.graph(id).unwrap());
+                prop_assert_eq!(here.digest(), there.digest());
+                prop_assert_eq!(here.next_number(), there.next_number());
+            }
+        }
+    }
+
+    #[test]
+    fn poses_go_from_frame_to_frame(
+        [a, b] in prop::array::uniform2((prop::array::uniform3(-5000.0..5000.0_f64), -4.0..4.0_f64)),
+        point in prop::array::uniform3(-20.0..20.0_f32),
+    ) {
+        let [a, b] = [a, b].map(|(origin, heading)| Frame::new(origin, heading));
+        let pose = Pose::translation(point[0], point[1], point[2]);
+        let exact = b.pose(&Pose::identity()).inverse() * a.pose(&pose);
+        let distance = (a.origin - b.origin).norm() as f32 + 20.0;
+        let found = a.to(&b) * pose;
+        let off = (found.translation.vector - exact.translation.vector.cast::<f32>()).norm();
+        prop_assert!(off <= distance * 1e-6, "{} {}", off, distance);
+        let own = a.to(&a) * pose;
+        prop_assert!((own.translation.vector - pose.translation.vector).norm() < 1e-6);
+        // Near each other it does not matter how far away both are.
+        let beside = Frame::new([a.origin.x + 3.0, a.origin.y, a.origin.z], a.heading);
+        let off = a.to(&beside).inverse() * beside.to(&a).inverse();
+        prop_assert!(off.translation.vector.norm() < 1e-5);
+    }
+}
+
+#[test]
+fn a_plan_that_makes_no_sense_is_refused() {
+    let mut plan = SpaceBuilder::new();
+    let lost = Region::new(RegionKind::Unit, "flat").within(RegionId(7));
+    assert!(matches!(plan.add(lost), Err(SpaceError::NoSuchParent { parent: RegionId(7), .. })));
+    let nowhere = Region::new(RegionKind::Unit, "flat").shifted(f64::NAN, 0.0, 0.0);
+    assert!(matches!(plan.add(nowhere), Err(SpaceError::NotFinite(_))));
+    let vast = Region::new(RegionKind::City, "city").with_numbers(u32::MAX);
+    assert!(matches!(plan.add(vast), Err(SpaceError::NumbersExhausted { .. })));
+    for number in 0..2 {
+        plan.add(Region::new(RegionKind::Unit, "flat").shifted(f64::from(number) * 10.0, 0.0, 0.0).with_numbers(10))
+            .unwrap();
+    }
+    let group = plan.add(Region::new(RegionKind::Storey, "storey")).unwrap();
+    let join = |plan: &mut SpaceBuilder, sides, width| plan.join(Portal::new(PortalKind::Door, sides, width, 2.0));
+    assert!(matches!(join(&mut plan, [side(0, 0.0, 0.0), side(group.0, 0.0, PI)], 1.0), Err(SpaceError::NoScene(_))));
+    assert!(matches!(join(&mut plan, [side(0, 0.0, 0.0), side(0, 0.0, PI)], 1.0), Err(SpaceError::JoinsItself(_))));
+    assert!(matches!(join(&mut plan, [side(0, 10.0, 0.0), side(1, 0.0, PI)], -1.0), Err(SpaceError::NoOpening(..))));
+    assert!(matches!(join(&mut plan, [side(0, 8.0, 0.0), side(1, 0.0, PI)], 1.0), Err(SpaceError::SidesApart(..))));
+    assert!(matches!(join(&mut plan, [side(0, 10.0, 0.0), side(1, 0.0, 0.0)], 1.0), Err(SpaceError::SidesApart(..))));
+    let nan = PortalSide { pose: Pose::translation(f32::NAN, 0.0, 0.0), ..side(1, 0.0, PI) };
+    assert!(matches!(join(&mut plan, [side(0, 10.0, 0.0), nan], 1.0), Err(SpaceError::NotFinite(_))));
+    assert_eq!(join(&mut plan, [side(0, 10.0, 0.0), side(1, 0.0, PI)], 1.0), Ok(PortalId(0)));
+    let space = plan.build();
+    assert_eq!(space.portals_of(RegionId(1)).collect::<Vec<_>>(), [PortalId(0)]);
+    assert_eq!(space.made_in(NodeId(11)), Some(RegionId(1)));
+    assert_eq!(space.made_in(NodeId(21)), None);
+}
+
+#[test]
+fn whoever_cannot_pass_is_told_why() {
+    let (mut world, _) = world(&[vec![], vec![], vec![]]);
+    let graph = world.graph(RegionId(1)).unwrap();
+    let (room, me) = (graph.rooms()[0], *graph.agents().last().unwrap());
+    let cup = graph.held(me).next().unwrap();
+    assert!(matches!(world.pass(room, PortalId(0)), Err(PassError::IsRoom(_))));
+    assert!(matches!(world.pass(cup, PortalId(0)), Err(PassError::Resting { at, .. }) if at.id == me));
+    assert!(matches!(world.pass(me, PortalId(1)), Err(PassError::Elsewhere { region: RegionId(1), .. })));
+    assert!(matches!(world.pass(me, PortalId(9)), Err(PassError::NoSuchPortal(_))));
+    assert!(matches!(world.pass(NodeId(1999), PortalId(0)), Err(PassError::NoSuchNode(_))));
+    world.rest(RegionId(2)).unwrap();
+    assert_eq!(world.pass(me, PortalId(0)), Err(PassError::NotActive(RegionId(2))));
+}
+
+#[test]
+fn a_door_lets_through_what_its_leaf_lets_through_also_while_its_region_is_dormant() {
+    let mut plan = SpaceBuilder::new();
+    let home = Region::new(RegionKind::Unit, "home").with_numbers(100);
+    plan.add(home).unwrap();
+    plan.add(Region::new(RegionKind::Corridor, "gallery").with_numbers(100).shifted(5.0, 0.0, 0.0)).unwrap();
+    let door = Portal::new(PortalKind::Door, [side(0, 5.0, 0.0), side(1, 0.0, PI)], 0.9, 2.0).with_leaf(NodeId(2));
+    let door = plan.join(door).unwrap();
+    let mut world = RegionGraphs::new(plan.build().into());
+    let passable = |world: &RegionGraphs| world.portal(door).unwrap().passable;
+    assert!(!passable(&world), "nobody has been there");
+    let mut scene = SceneBuilder::new("home");
+    let hall = scene.add(Draft::new("hallway")).unwrap();
+    scene.add_in(hall, Draft::new("door").state(State::Open)).unwrap();
+    let made = scene.build();
+    world.insert(RegionId(0), made.clone()).unwrap();
+    assert!(passable(&world));
+    world.rest(RegionId(0)).unwrap();
+    assert!(passable(&world) && world.changes(RegionId(0)).unwrap().is_empty());
+    world.insert(RegionId(0), made.clone()).unwrap();
+    let mut edit = world.edit(RegionId(0)).unwrap();
+    edit.enter_state(NodeId(2), State::Closed).unwrap();
+    edit.commit();
+    world.rest(RegionId(0)).unwrap();
+    assert!(!passable(&world));
+    // A generator that makes another home is refused.
+    let mut other = made.clone();
+    let mut edit = other.edit();
+    edit.enter_state(NodeId(2), State::Closed).unwrap();
+    edit.commit();
+    let refused = world.insert(RegionId(0), other);
+    assert!(matches!(refused, Err(SpaceError::MadeOtherwise { region: RegionId(0), .. })));
+    world.insert(RegionId(0), made).unwrap();
+    assert!(!passable(&world));
+}
+
+#[test]
+fn a_region_whose_numbers_are_used_up_goes_on_with_those_of_the_world() {
+    let (mut world, made) = world(&[vec![], vec![], vec![]]);
+    let mut ids = BTreeSet::new();
+    for round in 0..5000 {
+        let region = RegionId(1 + round % 2);
+        let mut edit = world.edit(region).unwrap();
+        let id = edit.add(Draft::new("apple")).unwrap();
+        edit.commit();
+        assert!(ids.insert(id));
+        assert_eq!(world.region_of(id), Some(region));
+    }
+    assert!(ids.iter().any(|id| NumberBlock::OVERFLOW.has(*id)));
+    let before = world.clone();
+    world.rest(RegionId(1)).unwrap();
+    world.insert(RegionId(1), made[&RegionId(1)].clone()).unwrap();
+    assert!(world == before);
+    let id = world.edit(RegionId(1)).unwrap().add(Draft::new("apple")).unwrap();
+    assert!(!ids.contains(&id));
+}
+
+#[test]
+fn a_region_of_the_plan_is_small() {
+    assert!(
+        size_of::<Region>() <= 100 && size_of::<Portal>() <= 128,
+        "{} {}",
+        size_of::<Region>(),
+        size_of::<Portal>()
+    );
+}
