@@ -1,5 +1,7 @@
 //! Change sets: the changes of an edit, to be applied to another graph or undone.
 
+mod between;
+
 use std::sync::Arc;
 
 use crate::node::Node;
@@ -8,7 +10,8 @@ use crate::{Edge, Label, NodeId, Pose, Relation, SceneGraph, StateSet};
 
 /// One reversible change of a scene.
 ///
-/// Changes that add or remove a node are written but not read back, as a node needs its class table.
+/// Changes that add or remove a node are read back by [`native::read_changes`](crate::format::native::read_changes), as
+/// a node needs its class table.
 #[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "snake_case")]
 #[non_exhaustive]
