@@ -1,21 +1,22 @@
 //! Environments as bytes.
 
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 use vc_graph::format::native;
 use vc_graph::hash::Digester;
-use vc_graph::{Digest, Event, History, NodeId, SceneBuilder, SceneGraph};
+use vc_graph::{AssetLibrary, Digest, Event, History, NodeId, SceneBuilder, SceneGraph};
 use vc_physics::PhysicsWorld;
 
 use super::{Environment, SaveError};
 
 /// The bytes with which saved environments begin.
-const MAGIC: &[u8; 8] = b"VCENV 4\n";
+const MAGIC: &[u8; 8] = b"VCENV 5\n";
 
 impl Environment {
-    /// The environment as bytes, for [`restore`](Self::restore): the scene (`format::native::write`), the
-    /// bodies (`PhysicsWorld::save`), the history, what agents are in the middle of doing, the processes that go on, and
-    /// cameras that were added; not sensors. `clone` is a much cheaper copy in memory.
+    /// The environment as bytes, for [`restore`](Self::restore): the scene (`format::native::write`) and the shapes that
+    /// it did not begin with, the bodies (`PhysicsWorld::save`), the history, what agents are in the middle of doing, the
+    /// processes that go on, and cameras that were added; not sensors. `clone` is a much cheaper copy in memory.
     ///
     /// # Errors
     /// [`SaveError::World`], [`SaveError::Unread`].
@@ -26,11 +27,12 @@ impl Environment {
         }
         let line = |e: &Event| format!("{} {}\n", e.agent.0, e.action);
         let history: String = self.history.events().iter().map(line).collect();
-        let (scene, world) = (native::write(&self.graph), self.world.save()?);
+        let (shapes, scene, world) = (self.own_shapes(), without_shapes(&self.graph), self.world.save()?);
         let (clock, cameras) = (self.saved_clock()?, self.saved_cameras().unwrap_or_default());
         let mut content = self.start.graph.digest().0.to_le_bytes().to_vec();
         content.extend(u64::from(self.graph.next_number()).to_le_bytes());
-        for part in [scene.as_bytes(), &world, history.as_bytes(), clock.as_bytes(), cameras.as_bytes()] {
+        let texts = [&shapes, &scene, &history, &clock, &cameras].map(String::as_bytes);
+        for part in texts.into_iter().chain([world.as_slice()]) {
             content.extend((part.len() as u64).to_le_bytes());
             content.extend(part);
         }
@@ -48,11 +50,12 @@ impl Environment {
         let (sum, content) = number(bytes.strip_prefix(MAGIC).ok_or(SaveError::NotSaved)?)?;
         let (digest, rest) = number(content)?;
         let (next, rest) = number(rest)?;
+        let (shapes, rest) = part(rest)?;
         let (scene, rest) = part(rest)?;
-        let (world, rest) = part(rest)?;
         let (history, rest) = part(rest)?;
         let (clock, rest) = part(rest)?;
         let (cameras, rest) = part(rest)?;
+        let (world, rest) = part(rest)?;
         if !rest.is_empty() {
             return Err(SaveError::More(rest.len()));
         }
@@ -64,10 +67,10 @@ impl Environment {
             return Err(SaveError::OtherStart { expected, found });
         }
         let text = |bytes| std::str::from_utf8(bytes).map_err(|_| SaveError::NotSaved);
-        let graph = self.read_scene(text(scene)?, u32::try_from(next).map_err(|_| SaveError::NotSaved)?)?;
+        let next = u32::try_from(next).map_err(|_| SaveError::NotSaved)?;
+        let graph = self.read_scene(text(scene)?, self.read_shapes(text(shapes)?)?, next)?;
         let world = PhysicsWorld::restore(world, &graph, &self.start.shapes)?;
-        let mut relations = self.start.relations.clone();
-        relations.rebuild(&graph)?;
+        let relations = self.start.relations.clone();
         let mut floor = self.start.floor.clone();
         floor.update(&world);
         let mut copy = Self { graph, world, relations, floor, history: History::default(), ..self.clone() };
@@ -82,15 +85,38 @@ impl Environment {
         Ok(copy)
     }
 
-    /// Reads a scene of this environment, in which the next node gets a number.
-    pub(super) fn read_scene(&self, text: &str, next: u32) -> Result<SceneGraph, SaveError> {
-        let mut builder = SceneBuilder::from_graph(native::read(text, self.start.graph.classes())?);
-        if builder.graph().assets() == self.graph.assets() {
-            builder.assets(self.graph.assets().clone());
+    /// The shapes as a scene without nodes; empty if they are those of the start.
+    fn own_shapes(&self) -> String {
+        let (own, first) = (self.graph.assets(), self.start.graph.assets());
+        if Arc::ptr_eq(own, first) || own == first {
+            return String::new();
         }
-        builder.number_from(next);
+        let mut shapes = SceneBuilder::new("shapes");
+        shapes.assets(own.clone());
+        native::write(&shapes.build())
+    }
+
+    fn read_shapes(&self, text: &str) -> Result<Arc<AssetLibrary>, SaveError> {
+        if text.is_empty() {
+            return Ok(self.start.graph.assets().clone());
+        }
+        Ok(native::read(text, self.start.graph.classes())?.assets().clone())
+    }
+
+    /// Reads a scene of this environment that was written [without shapes](without_shapes), in which the next node gets
+    /// a number.
+    fn read_scene(&self, text: &str, shapes: Arc<AssetLibrary>, next: u32) -> Result<SceneGraph, SaveError> {
+        let mut builder = SceneBuilder::from_graph(native::read(text, self.start.graph.classes())?);
+        builder.assets(shapes).number_from(next);
         Ok(builder.build())
     }
+}
+
+/// A scene as text, but for the shapes of its things.
+fn without_shapes(graph: &SceneGraph) -> String {
+    let mut bare = SceneBuilder::from_graph(graph.clone());
+    bare.assets(Arc::default());
+    native::write(&bare.build())
 }
 
 fn checksum(content: &[u8]) -> u64 {

@@ -2,6 +2,7 @@
 
 mod contested;
 mod rule_alone;
+mod saved;
 
 use virtualcity::graph::clock::{Durations, Span, Tick};
 use virtualcity::graph::{Action, NodeId, Place, Property, Relation, Seed, State, Verb};
@@ -91,25 +92,6 @@ fn walkers_are_followed() {
         let there = endings.iter().any(|ending| ending.agent == a && ending.outcome.is_ok());
         let feet = |agent| end.world().pose(agent).unwrap().translation.vector.xy();
         assert!(!there || endings[0].agent == a || (feet(a) - feet(b)).norm() < 2.0);
-    }
-}
-
-/// A home in which cloth has just been folded is saved too, and its bodies go on alike.
-#[test]
-fn folded_cloth_is_saved() {
-    let mut home = home(24, 1);
-    let (me, duvet) = (home.agents()[0], home.graph().of_class("duvet")[0]);
-    act(&mut home, me, Verb::Walk, &[duvet]);
-    act(&mut home, me, Verb::Grab, &[duvet]);
-    let table = home.graph().of_class("nightstand")[0];
-    home.give(me, Action::place(duvet, table));
-    for _ in 0..12 {
-        home.step(Span(25));
-        let mut again = home.restore(&home.save().unwrap()).unwrap();
-        assert_eq!(again.digest(), home.digest(), "at {}", home.tick());
-        let mut on = home.clone();
-        assert_eq!(again.step_until_idle(LONG).len(), on.step_until_idle(LONG).len());
-        assert_eq!(again.world().digest(), on.world().digest(), "at {}", home.tick());
     }
 }
 

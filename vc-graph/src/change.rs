@@ -1,5 +1,7 @@
 //! Change sets: the changes of an edit, to be applied to another graph or undone.
 
+mod between;
+
 use std::sync::Arc;
 
 use crate::node::Node;
@@ -8,7 +10,8 @@ use crate::{Edge, Label, NodeId, Pose, Relation, SceneGraph, StateSet};
 
 /// One reversible change of a scene.
 ///
-/// Changes that add or remove a node are written but not read back, as a node needs its class table.
+/// Changes that add or remove a node are read back by [`native::read_changes`](crate::format::native::read_changes), as
+/// a node needs its class table.
 #[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "snake_case")]
 #[non_exhaustive]
@@ -177,57 +180,6 @@ pub struct ChangeMismatch {
 }
 
 impl ChangeSet {
-    /// The changes that lead from one state of a scene to another, whatever happened between them: the shortest record of
-    /// it. Costs what differs, as clones share the rest.
-    ///
-    /// ```
-    /// use vc_graph::{ChangeSet, Draft, SceneBuilder, State};
-    /// let mut scene = SceneBuilder::new("flat");
-    /// let kitchen = scene.add(Draft::new("kitchen"))?;
-    /// let fridge = scene.add_in(kitchen, Draft::new("fridge"))?;
-    /// let before = scene.build();
-    /// let mut after = before.clone();
-    /// for state in [State::Open, State::Closed, State::Open] {
-    ///     let mut edit = after.edit();
-    ///     edit.enter_state(fridge, state)?;
-    ///     edit.commit();
-    /// }
-    /// let changes = ChangeSet::between(&before, &after);
-    /// assert_eq!(changes.changes().len(), 1);
-    /// let mut again = before.clone();
-    /// changes.apply(&mut again)?;
-    /// assert_eq!(again, after);
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    pub fn between(before: &SceneGraph, after: &SceneGraph) -> Self {
-        let pairs = before.nodes.unshared(&after.nodes);
-        let (mut unlinked, mut removed, mut added, mut changed, mut linked) =
-            <(Vec<_>, Vec<_>, Vec<_>, Vec<_>, Vec<_>)>::default();
-        for [old, new] in pairs {
-            // A node that is specified anew is another node with the same number.
-            let same = old.zip(new).is_some_and(|(old, new)| old.spec == new.spec);
-            let lost = |edge: &Edge| !same || !after.has(*edge);
-            let won = |edge: &Edge| !same || !before.has(*edge);
-            unlinked.extend(old.into_iter().flat_map(|node| node.edges()).filter(lost));
-            linked.extend(new.into_iter().flat_map(|node| node.edges()).filter(won));
-            match (old, new) {
-                (Some(old), Some(new)) if same => changed.extend(differences(old, new)),
-                _ => {
-                    removed.extend(old.map(|node| Change::Remove(Arc::new(node.bare()))));
-                    added.extend(new.map(|node| Change::Add(Arc::new(node.bare()))));
-                }
-            }
-        }
-        for edges in [&mut unlinked, &mut linked] {
-            // Both ends have a symmetric edge.
-            edges.iter_mut().for_each(|edge| *edge = edge.in_one_direction());
-            edges.sort_unstable();
-            edges.dedup();
-        }
-        let (unlinked, linked) = (unlinked.into_iter().map(Change::Unlink), linked.into_iter().map(Change::Link));
-        unlinked.chain(removed).chain(added).chain(changed).chain(linked).collect()
-    }
-
     /// The nodes that came or went, or whose states, contents or places changed; not those that only moved. A node may be
     /// listed several times.
     ///
@@ -343,16 +295,4 @@ impl ChangeSet {
     pub fn undo(&self, graph: &mut SceneGraph) -> Result<(), ChangeMismatch> {
         self.inverse().apply(graph)
     }
-}
-
-/// The changes of states, pose and contents between two states of a node.
-fn differences(old: &Node, new: &Node) -> impl Iterator<Item = Change> {
-    let id = old.id;
-    let states = (old.states != new.states).then_some(Change::States { id, before: old.states, after: new.states });
-    let pose = (old.pose != new.pose).then_some(Change::Pose { id, before: old.pose, after: new.pose });
-    let contents = (old.contents != new.contents).then(|| {
-        let (before, after) = (old.contents.clone(), new.contents.clone());
-        Change::Contents { id, before, after }
-    });
-    [states, pose, contents].into_iter().flatten()
 }

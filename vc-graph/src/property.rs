@@ -110,6 +110,11 @@ const VIRTUALHOME: [&str; 23] = [
 ];
 
 impl Property {
+    /// The affordances of which any lets things rest on a node: surfaces, seats and beds, the lid or the rim of a
+    /// container, heaters. Books carry things too, see [`Node::carries`](crate::Node::carries).
+    pub const CARRYING: &'static [Self] =
+        &[Self::Surface, Self::Sittable, Self::Lieable, Self::Container, Self::Recipient, Self::Heater];
+
     /// VirtualHome's name of the property, if it has one.
     pub fn virtualhome(self) -> Option<&'static str> {
         VIRTUALHOME.get(Word::index(self)).copied()

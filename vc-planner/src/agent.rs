@@ -352,15 +352,6 @@ impl Agent {
     /// Expects of a thing no more what bodies could not do with it: another is taken, another
     /// place is found. Whether there was something to expect.
     pub fn bar(&mut self, action: &Action) -> bool {
-        // Whatever would let things be put there by the rule.
-        const CARRIES: &[Property] = &[
-            Property::Surface,
-            Property::Sittable,
-            Property::Lieable,
-            Property::Container,
-            Property::Recipient,
-            Property::Heater,
-        ];
         // A container that is full stands open: that it cannot be shut any more is left out of account.
         const ENCLOSES: &[Property] =
             &[Property::Container, Property::Recipient, Property::Openable, Property::Drivable];
@@ -373,7 +364,7 @@ impl Agent {
             (Verb::SwitchOn | Verb::SwitchOff, Some(id), _) => (&[Property::Switchable], id),
             (Verb::Sit, Some(id), _) => (&[Property::Sittable], id),
             (Verb::Lie, Some(id), _) => (&[Property::Lieable], id),
-            (Verb::Place, _, Some(at)) => (CARRIES, at),
+            (Verb::Place, _, Some(at)) => (Property::CARRYING, at),
             (Verb::PutIn, _, Some(into)) => (ENCLOSES, into),
             _ => return false,
         };
@@ -387,18 +378,9 @@ impl Agent {
     fn avoid(&mut self, id: NodeId) -> bool {
         self.forget_plans();
         let excluded = self.belief.exclude(id);
-        let all = [
-            Property::Graspable,
-            Property::Surface,
-            Property::Sittable,
-            Property::Lieable,
-            Property::Container,
-            Property::Recipient,
-            Property::Heater,
-            Property::Switchable,
-        ];
+        let all = Property::CARRYING.iter().copied().chain([Property::Graspable, Property::Switchable]);
         let there = self.belief.graph().node(id).is_some_and(|n| n.kind() == NodeKind::Object);
-        all.into_iter().filter(|_| there).fold(excluded, |barred, property| self.belief.bar(id, property) | barred)
+        all.filter(|_| there).fold(excluded, |barred, property| self.belief.bar(id, property) | barred)
     }
 
     fn forget_plans(&mut self) {

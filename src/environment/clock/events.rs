@@ -282,6 +282,7 @@ impl Environment {
             done.map_err(|why| self.cannot(agent, why))?;
         }
         if let BodyMotion::Fold(id, scale) = motion {
+            self.clock.about_to_change(&self.graph);
             let mut edit = self.graph.edit();
             // It is there, and its scale is sound.
             let _ = edit.set_scale(id, scale);
@@ -367,9 +368,10 @@ impl Environment {
         let Some(schedule) = self.clock.running.get_mut(&agent).filter(|s| s.truth.is_none()) else { return };
         let truth = Truth::new(self.graph.clone(), agent, &schedule.action);
         let changes = truth.changes.clone();
-        self.graph = truth.ruled.clone();
+        let before = std::mem::replace(&mut self.graph, truth.ruled.clone());
         schedule.truth = Some(truth);
         let action = schedule.action;
+        self.clock.about_to_change(&before);
         self.tell_others(agent, &action);
         self.clock.changed.extend(changes.changes().iter().filter_map(holder).chain([agent]));
         self.clock.unseen = true;

@@ -21,7 +21,7 @@ mod track;
 use std::collections::BTreeMap;
 
 use vc_graph::clock::{Running, Span, Tick};
-use vc_graph::{Action, ChangeSet, Event, Label, NodeId};
+use vc_graph::{Action, ChangeSet, Event, Label, NodeId, SceneGraph};
 use vc_physics::{Hand, PhysicsWorld, RestProgress};
 
 use super::control::Controls;
@@ -45,6 +45,8 @@ pub(super) struct Clock {
     /// Nodes that the rule has put elsewhere since relations were read last, and whether bodies have moved since then.
     pub(super) changed: Vec<NodeId>,
     pub(super) unseen: bool,
+    /// The scene as relations have read it, while the graph differs.
+    read: Option<SceneGraph>,
     endings: Vec<Ending>,
     /// The changes of the graph since the last action that was done.
     journal: ChangeSet,
@@ -68,9 +70,14 @@ impl Clock {
         self.journal = std::mem::take(&mut self.journal).then(changes);
     }
 
-    /// Something has changed the scene: other processes may go on.
+    /// Something has changed the scene, and relations have read it: other processes may go on.
     pub(super) fn scene_changed(&mut self) {
-        self.noticed = false;
+        (self.noticed, self.read) = (false, None);
+    }
+
+    /// The graph is about to change otherwise than by what relations read; a saved home goes on from what they have read.
+    pub(super) fn about_to_change(&mut self, graph: &SceneGraph) {
+        self.read.get_or_insert_with(|| graph.clone());
     }
 }
 

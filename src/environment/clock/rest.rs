@@ -43,6 +43,7 @@ impl Environment {
         }
         let (graph, relations) = (&mut self.graph, &mut self.relations);
         let (met, seen) = observe::look_again(graph, &self.start, &self.world, relations, &changed)?;
+        self.clock.read = None;
         let fallen = astray::fell_out(&self.world, &seen);
         self.clock.note(seen);
         self.read_doors(&met);

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use vc_graph::clock::Running;
 use vc_graph::format::native;
 use vc_graph::hash::Digester;
-use vc_graph::{Action, Change, ChangeSet, NodeId};
+use vc_graph::{Action, ChangeSet, NodeId, SceneGraph};
 use vc_physics::RestProgress;
 use vc_relations::Evidence;
 
@@ -27,7 +27,8 @@ struct SavedClock {
     stirred: bool,
     changed: Vec<NodeId>,
     unseen: bool,
-    journal: Vec<Change>,
+    read: Option<String>,
+    journal: String,
     processes: Running,
     noticed: bool,
     touched: Vec<NodeId>,
@@ -37,47 +38,38 @@ struct SavedClock {
     controls: Controls,
 }
 
-/// A [`Truth`], its scenes as text.
+/// A [`Truth`]. A change set is text, as it takes the class table to read one; a scene is the changes that lead to it
+/// from the present one.
 #[derive(Serialize, Deserialize)]
 struct SavedTruth {
     before: String,
     ruled: String,
-    changes: Vec<Change>,
-    next: u32,
+    changes: String,
     met: Vec<NodeId>,
     excused: Vec<NodeId>,
     put_back: bool,
 }
 
-impl SavedTruth {
-    fn new(truth: &Truth) -> Self {
-        let (before, ruled) = (native::write(&truth.before), native::write(&truth.ruled));
-        let (met, excused, changes) = (truth.met.clone(), truth.excused.clone(), readable(&truth.changes));
-        Self { before, ruled, changes, next: truth.before.next_number(), met, excused, put_back: truth.put_back }
-    }
-}
-
-/// The changes that can be read back. A folded cloth is another node in the journal, which needs the class table; the
-/// scene has it as it is now.
-fn readable(changes: &ChangeSet) -> Vec<Change> {
-    let is_node = |change: &&Change| matches!(change, Change::Add(_) | Change::Remove(_));
-    changes.changes().iter().filter(|change| !is_node(change)).cloned().collect()
+fn json<T: Serialize>(value: &T) -> Result<String, SaveError> {
+    serde_json::to_string(value).map_err(|e| SaveError::Clock(e.to_string()))
 }
 
 impl Environment {
     pub(in crate::environment) fn saved_clock(&self) -> Result<String, SaveError> {
         let (clock, evidence) = (self.clock.clone(), self.relations.evidence());
-        let truth = |(agent, schedule): (&NodeId, &Schedule)| Some((*agent, SavedTruth::new(schedule.truth.as_ref()?)));
+        let truths = clock.running.iter().filter_map(|(agent, schedule)| Some((*agent, schedule.truth.as_ref()?)));
+        let truths = truths.map(|(agent, truth)| Ok((agent, self.saved_truth(truth)?)));
         let saved = SavedClock {
             zero: clock.zero,
-            truths: clock.running.iter().filter_map(truth).collect(),
+            truths: truths.collect::<Result<_, SaveError>>()?,
             given: clock.given,
             running: clock.running,
             rest: clock.rest,
             stirred: clock.stirred,
             changed: clock.changed,
             unseen: clock.unseen,
-            journal: readable(&clock.journal),
+            read: clock.read.as_ref().map(|read| self.saved_scene(read)).transpose()?,
+            journal: json(&clock.journal)?,
             processes: clock.processes,
             noticed: clock.noticed,
             touched: clock.touched,
@@ -85,23 +77,51 @@ impl Environment {
             positions: evidence.positions.iter().map(|((id, joint), at)| (*id, *joint, *at)).collect(),
             controls: clock.controls,
         };
-        serde_json::to_string(&saved).map_err(|e| SaveError::Clock(e.to_string()))
+        json(&saved)
+    }
+
+    fn saved_truth(&self, truth: &Truth) -> Result<SavedTruth, SaveError> {
+        let (before, ruled) = (self.saved_scene(&truth.before)?, self.saved_scene(&truth.ruled)?);
+        let (met, excused, put_back) = (truth.met.clone(), truth.excused.clone(), truth.put_back);
+        Ok(SavedTruth { before, ruled, changes: json(&truth.changes)?, met, excused, put_back })
+    }
+
+    fn restored_truth(&self, saved: SavedTruth) -> Result<Truth, SaveError> {
+        let (before, ruled) = (self.restored_scene(&saved.before)?, self.restored_scene(&saved.ruled)?);
+        let (changes, put_back) = (self.restored_changes(&saved.changes)?, saved.put_back);
+        Ok(Truth { before, ruled, changes, met: saved.met, excused: saved.excused, put_back })
+    }
+
+    /// Another scene, by its difference from the present one.
+    fn saved_scene(&self, scene: &SceneGraph) -> Result<String, SaveError> {
+        json(&ChangeSet::between(&self.graph, scene))
+    }
+
+    fn restored_scene(&self, text: &str) -> Result<SceneGraph, SaveError> {
+        let mut scene = self.graph.clone();
+        self.restored_changes(text)?.apply(&mut scene).map_err(|e| SaveError::Clock(e.to_string()))?;
+        Ok(scene)
+    }
+
+    fn restored_changes(&self, text: &str) -> Result<ChangeSet, SaveError> {
+        Ok(native::read_changes(text, self.graph.classes())?)
     }
 
     /// Goes on with a saved clock; the scene and the bodies have been restored.
     pub(in crate::environment) fn restore_clock(&mut self, text: &str) -> Result<(), SaveError> {
         let mut saved: SavedClock = serde_json::from_str(text).map_err(|e| SaveError::Clock(e.to_string()))?;
         for (agent, truth) in saved.truths {
-            let SavedTruth { before, ruled, changes, next, met, excused, put_back } = truth;
-            let (before, ruled) = (self.read_scene(&before, next)?, self.read_scene(&ruled, next)?);
+            let truth = self.restored_truth(truth)?;
             if let Some(schedule) = saved.running.get_mut(&agent) {
-                let changes = changes.into_iter().collect();
-                schedule.truth = Some(Truth { before, ruled, changes, met, excused, put_back });
+                schedule.truth = Some(truth);
             }
         }
         let positions = saved.positions.into_iter().map(|(id, joint, at)| ((id, joint), at)).collect();
-        self.relations
-            .set_evidence(&self.graph, Evidence { carried: saved.carried, positions, ..Evidence::default() })?;
+        let evidence = Evidence { carried: saved.carried, positions, ..Evidence::default() };
+        let read = saved.read.map(|text| self.restored_scene(&text)).transpose()?;
+        let seen = read.as_ref().unwrap_or(&self.graph);
+        self.relations.rebuild(seen)?;
+        self.relations.set_evidence(seen, evidence)?;
         self.clock = Clock {
             zero: saved.zero,
             given: saved.given,
@@ -111,7 +131,8 @@ impl Environment {
             changed: saved.changed,
             unseen: saved.unseen,
             endings: Vec::new(),
-            journal: saved.journal.into_iter().collect(),
+            read,
+            journal: self.restored_changes(&saved.journal)?,
             processes: saved.processes,
             noticed: saved.noticed,
             touched: saved.touched,

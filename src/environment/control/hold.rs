@@ -57,6 +57,7 @@ impl Environment {
 
     /// Carries out the effects of an action that bodies have done.
     fn bring_about(&mut self, agent: NodeId, action: &Action, id: NodeId) {
+        self.clock.about_to_change(&self.graph);
         for effect in rule::effects(self.graph.vocabulary(), action) {
             // The graph can say all that bodies do.
             let changes = rule::carry_out(&mut self.graph, agent, &effect).unwrap_or_default();

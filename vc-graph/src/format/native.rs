@@ -15,6 +15,8 @@
 //! One node and one edge per line. Metres, kilograms, right-handed, Z up, X forward; quaternions are x, y, z,
 //! w.
 
+mod changes;
+
 use std::fmt::Write;
 use std::sync::Arc;
 
@@ -31,6 +33,8 @@ use crate::{
     SceneGraph, Set, StateSet, Word,
     asset::{Material, Texture},
 };
+
+pub use changes::read_changes;
 
 /// The version that this program writes, and the latest that it reads.
 pub const VERSION: u32 = 1;

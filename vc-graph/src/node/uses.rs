@@ -29,14 +29,7 @@ impl Node {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn carries(&self) -> bool {
-        self.affords_any(&[
-            Property::Surface,
-            Property::Sittable,
-            Property::Lieable,
-            Property::Container,
-            Property::Recipient,
-            Property::Heater,
-        ]) || self.is_leaves()
+        self.affords_any(Property::CARRYING) || self.is_leaves()
     }
 
     /// Whether things may be in it: the author or the class table says that it is a container, a vessel or a vehicle. A

@@ -10,20 +10,20 @@ use crate::portable::Portable;
 ///
 /// ```
 /// use vc_graph::Pose;
-/// use vc_graph::space::Frame;
-/// let (home, street) = (Frame::new([4000.0, 0.0, 3.0], 0.0), Frame::new([4000.0, 5.0, 0.0], 0.0));
+/// use vc_graph::space::RegionFrame;
+/// let (home, street) = (RegionFrame::new([4000.0, 0.0, 3.0], 0.0), RegionFrame::new([4000.0, 5.0, 0.0], 0.0));
 /// let seen = home.to(&street) * Pose::translation(1.0, 0.0, 0.0);
 /// assert_eq!(seen.translation.vector.as_slice(), [1.0, -5.0, 3.0]);
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Frame {
+pub struct RegionFrame {
     /// The origin, metres.
     pub origin: Point3<f64>,
     /// The direction of its X axis, radians to the left of the world's.
     pub heading: f64,
 }
 
-impl Frame {
+impl RegionFrame {
     /// The world's own frame.
     pub const WORLD: Self = Self { origin: Point3::new(0.0, 0.0, 0.0), heading: 0.0 };
 
@@ -66,7 +66,7 @@ impl Frame {
     }
 }
 
-impl Default for Frame {
+impl Default for RegionFrame {
     fn default() -> Self {
         Self::WORLD
     }

@@ -2,17 +2,17 @@
 //!
 //! A *region* is whatever is near enough to be one scene: a flat, a shop, a corridor, a stretch of street. Its
 //! [`SceneGraph`](crate::SceneGraph) is as local and as light as that of a single home, with poses from its own origin. A
-//! [`Space`] is the fixed plan of a world: the tree of its regions with their [`Frame`]s and blocks of node numbers, and the
+//! [`Space`] is the fixed plan of a world: the tree of its regions with their [`RegionFrame`]s and blocks of node numbers, and the
 //! [`Portal`]s (doors, windows, passages, landings) that join them. [`RegionGraphs`] is the state of a world: the scenes of
 //! the regions that are active, the changes of those that are dormant, and the region of each thing that has moved.
 //!
 //! ```
-//! use vc_graph::space::{Frame, Portal, PortalKind, PortalSide, Region, RegionGraphs, RegionKind, SpaceBuilder};
+//! use vc_graph::space::{RegionFrame, Portal, PortalKind, PortalSide, Region, RegionGraphs, RegionKind, SpaceBuilder};
 //! use vc_graph::{Draft, Pose, SceneBuilder, SceneGraph};
 //!
 //! // A flat four kilometres away, and a yard before its door.
 //! let mut plan = SpaceBuilder::new();
-//! let house = plan.add(Region::new(RegionKind::Building, "house").at(Frame::new([4000.0, -3000.0, 60.0], 0.6)))?;
+//! let house = plan.add(Region::new(RegionKind::Building, "house").at(RegionFrame::new([4000.0, -3000.0, 60.0], 0.6)))?;
 //! let flat = plan.add(Region::new(RegionKind::Unit, "flat").within(house).with_numbers(1000))?;
 //! let yard = plan.add(Region::new(RegionKind::Yard, "yard").within(house).shifted(5.0, 0.0, 0.0).with_numbers(1000))?;
 //! let inside = PortalSide { region: flat, pose: Pose::translation(5.0, 0.0, 0.0), room: None };
@@ -55,7 +55,7 @@ mod portal;
 mod region;
 
 pub use error::{PassError, SpaceError};
-pub use frame::Frame;
+pub use frame::RegionFrame;
 pub use graphs::RegionGraphs;
 pub use numbers::NumberBlock;
 pub use pass::Crossing;

@@ -129,7 +129,7 @@ impl SpaceBuilder {
     pub fn add(&mut self, mut region: Region) -> Result<RegionId, SpaceError> {
         let name = || region.name.to_string();
         let outer = match region.parent {
-            None => super::Frame::WORLD,
+            None => super::RegionFrame::WORLD,
             Some(parent) => match self.regions.get(parent.0 as usize) {
                 Some(outer) => outer.frame,
                 None => return Err(SpaceError::NoSuchParent { name: name(), parent }),

@@ -3,7 +3,7 @@
 use std::fmt;
 use std::sync::Arc;
 
-use super::{Frame, NumberBlock};
+use super::{NumberBlock, RegionFrame};
 use crate::vocabulary::vocabulary;
 
 /// The number of a region in its [`Space`](super::Space). Prints as `region 3`.
@@ -59,7 +59,7 @@ pub struct Region {
     /// The region that it is part of.
     pub parent: Option<RegionId>,
     /// Its frame: in that of its parent as it is given, in the world once the space is built.
-    pub frame: Frame,
+    pub frame: RegionFrame,
     /// The numbers of nodes that are made in it; without numbers until the space is built.
     pub numbers: NumberBlock,
 }
@@ -68,7 +68,7 @@ impl Region {
     /// A group of regions, at the origin of what it is part of.
     pub fn new(kind: RegionKind, name: impl Into<Arc<str>>) -> Self {
         let numbers = NumberBlock { first: 0, count: 0 };
-        Self { kind, name: name.into(), parent: None, frame: Frame::WORLD, numbers }
+        Self { kind, name: name.into(), parent: None, frame: RegionFrame::WORLD, numbers }
     }
 
     /// As part of another region.
@@ -79,14 +79,14 @@ impl Region {
 
     /// At a frame of the region that it is part of.
     #[must_use]
-    pub fn at(self, frame: Frame) -> Self {
+    pub fn at(self, frame: RegionFrame) -> Self {
         Self { frame, ..self }
     }
 
     /// At a point of the region that it is part of, metres, not turned.
     #[must_use]
     pub fn shifted(self, x: f64, y: f64, z: f64) -> Self {
-        self.at(Frame::new([x, y, z], 0.0))
+        self.at(RegionFrame::new([x, y, z], 0.0))
     }
 
     /// With a scene, in which at most so many nodes can be made before it goes on with numbers of the world.

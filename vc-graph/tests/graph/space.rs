@@ -8,7 +8,7 @@ use std::f32::consts::PI;
 use proptest::prelude::*;
 use vc_graph::nalgebra::{Isometry3, Vector3};
 use vc_graph::space::{
-    Frame, NumberBlock, PassError, Portal, PortalId, PortalKind, PortalSide, Region, RegionGraphs, RegionId,
+    NumberBlock, PassError, Portal, PortalId, PortalKind, PortalSide, Region, RegionFrame, RegionGraphs, RegionId,
     RegionKind, Space, SpaceBuilder, SpaceError,
 };
 use vc_graph::{Draft, Edge, NodeId, Pose, Relation, SceneBuilder, SceneGraph, State};
@@ -26,7 +26,7 @@ fn side(region: u32, x: f32, heading: f32) -> PortalSide {
 /// Regions in a row, ten metres each, far from the origin and turned, with a passage between each and the next.
 fn row() -> Space {
     let mut plan = SpaceBuilder::new();
-    let house = Region::new(RegionKind::Building, "house").at(Frame::new([4000.0, -3000.0, 60.0], 0.65));
+    let house = Region::new(RegionKind::Building, "house").at(RegionFrame::new([4000.0, -3000.0, 60.0], 0.65));
     let house = plan.add(house).unwrap();
     for number in 0..REGIONS {
         let flat = Region::new(RegionKind::Unit, format!("flat {number}")).within(house).with_numbers(2000);
@@ -181,7 +181,7 @@ proptest! {
         [a, b] in prop::array::uniform2((prop::array::uniform3(-5000.0..5000.0_f64), -4.0..4.0_f64)),
         point in prop::array::uniform3(-20.0..20.0_f32),
     ) {
-        let [a, b] = [a, b].map(|(origin, heading)| Frame::new(origin, heading));
+        let [a, b] = [a, b].map(|(origin, heading)| RegionFrame::new(origin, heading));
         let pose = Pose::translation(point[0], point[1], point[2]);
         let exact = b.pose(&Pose::identity()).inverse() * a.pose(&pose);
         let distance = (a.origin - b.origin).norm() as f32 + 20.0;
@@ -191,7 +191,7 @@ proptest! {
         let own = a.to(&a) * pose;
         prop_assert!((own.translation.vector - pose.translation.vector).norm() < 1e-6);
         // Near each other it does not matter how far away both are.
-        let beside = Frame::new([a.origin.x + 3.0, a.origin.y, a.origin.z], a.heading);
+        let beside = RegionFrame::new([a.origin.x + 3.0, a.origin.y, a.origin.z], a.heading);
         let off = a.to(&beside).inverse() * beside.to(&a).inverse();
         prop_assert!(off.translation.vector.norm() < 1e-5);
     }

@@ -1,0 +1,120 @@
+//! A home that is saved in any tick of an action goes on as if it had not been.
+
+use virtualcity::graph::clock::Span;
+use virtualcity::graph::{Action, NodeId, Place, Property, Relation, State, Verb};
+use virtualcity::{Ending, Environment};
+
+use super::super::act;
+use super::{LONG, home};
+
+/// Ticks between two saves.
+const EVERY: Span = Span(10);
+
+/// A home in which an action is about to begin, and the orders of its agents.
+type Case = fn() -> (Environment, Vec<(NodeId, Action)>);
+
+fn first(home: &Environment, class: &str) -> NodeId {
+    home.graph().of_class(class)[0]
+}
+
+/// Puts a new thing onto something, and lets an agent take it.
+fn fetch(home: &mut Environment, agent: NodeId, class: &str, at: NodeId) -> NodeId {
+    let thing = home.spawn(class, Place { relation: Relation::On, at }).unwrap();
+    act(home, agent, Verb::Walk, &[thing]);
+    act(home, agent, Verb::Grab, &[thing]);
+    thing
+}
+
+const CASES: &[(&str, Case)] = &[
+    ("cloth is folded", || {
+        let mut home = home(24, 1);
+        let (me, duvet) = (home.agents()[0], first(&home, "duvet"));
+        act(&mut home, me, Verb::Walk, &[duvet]);
+        act(&mut home, me, Verb::Grab, &[duvet]);
+        let table = first(&home, "nightstand");
+        (home, vec![(me, Action::place(duvet, table))])
+    }),
+    ("a drink is poured", || {
+        let mut home = home(42, 1);
+        let (me, table) = (home.agents()[0], first(&home, "coffee_table"));
+        let cup = home.spawn("cup", Place { relation: Relation::On, at: table }).unwrap();
+        let bottle = fetch(&mut home, me, "bottled_water", table);
+        act(&mut home, me, Verb::Walk, &[cup]);
+        (home, vec![(me, Action::two(Verb::Pour, bottle, cup))])
+    }),
+    ("an apple is cut", || {
+        let mut home = home(42, 1);
+        let (me, table) = (home.agents()[0], first(&home, "coffee_table"));
+        let apple = home.spawn("apple", Place { relation: Relation::On, at: table }).unwrap();
+        fetch(&mut home, me, "knife", table);
+        act(&mut home, me, Verb::Walk, &[apple]);
+        (home, vec![(me, Action::one(Verb::Cut, apple))])
+    }),
+    ("a lamp is switched", || {
+        let mut home = home(42, 1);
+        let me = home.agents()[0];
+        let is_off = |n: &virtualcity::graph::Node| n.affords(Property::Switchable) && n.is(State::Off);
+        let lamp = home.graph().nodes().find(|n| is_off(n)).unwrap().id();
+        act(&mut home, me, Verb::Walk, &[lamp]);
+        (home, vec![(me, Action::one(Verb::SwitchOn, lamp))])
+    }),
+    ("a thing is put into the fridge that another opens, and its owner walks off", || {
+        let mut home = home(42, 2);
+        let (a, b, fridge) = (home.agents()[0], home.agents()[1], first(&home, "fridge"));
+        let table = first(&home, "coffee_table");
+        let apple = fetch(&mut home, a, "apple", table);
+        act(&mut home, a, Verb::Walk, &[fridge]);
+        act(&mut home, a, Verb::Open, &[fridge]);
+        (home, vec![(a, Action::put_in(apple, fridge)), (b, Action::walk(table))])
+    }),
+    ("a hat is taken off", || {
+        let mut home = home(42, 1);
+        let (me, table) = (home.agents()[0], first(&home, "coffee_table"));
+        let hat = fetch(&mut home, me, "hat", table);
+        act(&mut home, me, Verb::Wear, &[hat]);
+        (home, vec![(me, Action::one(Verb::TakeOff, hat))])
+    }),
+    ("a fridge is opened while another sits down", || {
+        let mut home = home(42, 2);
+        let (a, b, fridge) = (home.agents()[0], home.agents()[1], first(&home, "fridge"));
+        let sofa = first(&home, "sofa");
+        act(&mut home, a, Verb::Walk, &[fridge]);
+        act(&mut home, b, Verb::Walk, &[sofa]);
+        (home, vec![(a, Action::open(fridge)), (b, Action::one(Verb::Sit, sofa))])
+    }),
+];
+
+/// What comes of a home: how its actions end, how it is then, and what it has changed.
+fn goes_on(mut home: Environment) -> (Vec<Ending>, Environment) {
+    let endings = home.step_until_idle(LONG);
+    (endings, home)
+}
+
+#[test]
+fn saved_in_every_tenth_tick() {
+    for (name, case) in CASES {
+        let (mut home, orders) = case();
+        let (begin, still) = (home.tick(), home.save().unwrap().len());
+        orders.iter().for_each(|(agent, action)| home.give(*agent, *action));
+        let (told, end) = goes_on(home.clone());
+        assert!(told.iter().all(|ending| ending.outcome.is_ok()), "{name}: {told:?}");
+        let last = end.save().unwrap();
+        let mut endings = Vec::new();
+        while home.is_busy() {
+            let at = format!("{name}, after {} ticks", (home.tick() - begin).0);
+            let saved = home.save().unwrap();
+            assert!(saved.len() < still + (1 << 20), "{at}: {} bytes more", saved.len() - still);
+            let again = home.restore(&saved).unwrap();
+            assert_eq!(again.digest(), home.digest(), "{at}");
+            assert_eq!(again.changes(), home.changes(), "{at}");
+            assert!(again.save().unwrap() == saved, "{at}: saved again it differs");
+            let (after, other) = goes_on(again);
+            assert_eq!([endings.as_slice(), &after].concat(), told, "{at}");
+            assert!(*other.graph() == *end.graph(), "{at}: the graph differs");
+            assert_eq!(other.world().digest(), end.world().digest(), "{at}");
+            assert_eq!(other.changes(), end.changes(), "{at}");
+            assert!(other.save().unwrap() == last, "{at}: the bytes differ");
+            endings.extend(home.step(EVERY));
+        }
+    }
+}
