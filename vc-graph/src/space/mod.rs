@@ -53,6 +53,7 @@ mod pass;
 mod plan;
 mod portal;
 mod region;
+mod route;
 
 pub use error::{PassError, SpaceError};
 pub use frame::RegionFrame;

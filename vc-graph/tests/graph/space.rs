@@ -6,7 +6,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::f32::consts::PI;
 
 use proptest::prelude::*;
-use vc_graph::nalgebra::{Isometry3, Vector3};
+use vc_graph::nalgebra::{self, Isometry3, Point3, Vector3};
 use vc_graph::space::{
     NumberBlock, PassError, Portal, PortalId, PortalKind, PortalSide, Region, RegionFrame, RegionGraphs, RegionId,
     RegionKind, Space, SpaceBuilder, SpaceError,
@@ -194,6 +194,93 @@ proptest! {
         let beside = RegionFrame::new([a.origin.x + 3.0, a.origin.y, a.origin.z], a.heading);
         let off = a.to(&beside).inverse() * beside.to(&a).inverse();
         prop_assert!(off.translation.vector.norm() < 1e-5);
+    }
+}
+
+/// A grid of squares of ten metres with passages between neighbours, some of them shut.
+fn grid(side_length: u32) -> Space {
+    let mut plan = SpaceBuilder::new();
+    for number in 0..side_length * side_length {
+        let (x, y) = (number % side_length, number / side_length);
+        let square = Region::new(RegionKind::Street, "square").with_numbers(10);
+        plan.add(square.shifted(10.0 * f64::from(x), 10.0 * f64::from(y), 0.0)).unwrap();
+    }
+    let facing = |region: u32, x: f32, y: f32, heading: f32| {
+        let pose = Pose::translation(x, y, 0.0) * Pose::rotation(Vector3::new(0.0, 0.0, heading));
+        PortalSide { region: RegionId(region), pose, room: None }
+    };
+    for number in 0..side_length * side_length {
+        if number % side_length + 1 < side_length {
+            let sides = [facing(number, 10.0, 5.0, 0.0), facing(number + 1, 0.0, 5.0, PI)];
+            plan.join(Portal::new(PortalKind::Passage, sides, 3.0, 3.0)).unwrap();
+        }
+        if number / side_length + 1 < side_length {
+            let sides = [facing(number, 5.0, 10.0, PI / 2.0), facing(number + side_length, 5.0, 0.0, -PI / 2.0)];
+            plan.join(Portal::new(PortalKind::Passage, sides, 3.0, 3.0)).unwrap();
+        }
+    }
+    plan.build()
+}
+
+/// The length of the shortest way by trying all (Bellman and Ford), over the thresholds of portals.
+fn shortest(space: &Space, from: RegionId, to: RegionId, middle: Point3<f32>, open: &[bool]) -> Option<f64> {
+    let world = |region: RegionId, point: &Point3<f32>| space.region(region).unwrap().frame.point(&point.cast());
+    let mut best: BTreeMap<(RegionId, PortalId), f64> = BTreeMap::new();
+    let threshold = |region: RegionId, portal: PortalId| {
+        let side = *space.portal(portal).unwrap().side(region).unwrap();
+        world(region, &Point3::from(side.pose.translation.vector))
+    };
+    let is_open = |portal: &PortalId| open[portal.0 as usize % open.len()];
+    for _ in 0..space.len() * 2 {
+        let known = best.clone();
+        for (region, portal) in space.regions().flat_map(|(id, _)| space.portals_of(id).map(move |portal| (id, portal)))
+        {
+            if !is_open(&portal) {
+                continue;
+            }
+            let beyond = space.portal(portal).unwrap().across(region).unwrap().region;
+            let at = threshold(beyond, portal);
+            let first = (region == from).then(|| nalgebra::distance(&world(from, &middle), &at));
+            let entered = known.iter().filter(|((id, _), _)| *id == region);
+            let later = entered.map(|((id, by), walked)| walked + nalgebra::distance(&threshold(*id, *by), &at));
+            if let Some(length) = first.into_iter().chain(later).min_by(f64::total_cmp) {
+                let known = best.entry((beyond, portal)).or_insert(f64::INFINITY);
+                *known = known.min(length);
+            }
+        }
+    }
+    let ends = best.iter().filter(|((region, _), _)| *region == to);
+    let last = |((region, portal), walked): (&(RegionId, PortalId), &f64)| {
+        walked + nalgebra::distance(&threshold(*region, *portal), &world(to, &middle))
+    };
+    ends.map(last).min_by(f64::total_cmp)
+}
+
+proptest! {
+    #![proptest_config(cases(60))]
+
+    #[test]
+    fn a_route_is_as_short_as_any(from in 0_u32..16, to in 0_u32..16, open in prop::collection::vec(prop::bool::weighted(0.7), 24)) {
+        let space = grid(4);
+        let (from, to, middle) = (RegionId(from), RegionId(to), Point3::new(4.0, 5.0, 0.0));
+        prop_assume!(from != to);
+        let is_open = |portal: PortalId| open[portal.0 as usize % open.len()];
+        let route = space.route((from, middle), (to, middle), is_open);
+        let length = shortest(&space, from, to, middle, &open);
+        prop_assert_eq!(route.is_some(), length.is_some());
+        let (Some(route), Some(length)) = (route, length) else { return Ok(()) };
+        prop_assert!(route.iter().all(|portal| is_open(*portal)));
+        let world = |region: RegionId, point: &Point3<f32>| space.region(region).unwrap().frame.point(&point.cast());
+        let (mut region, mut at, mut walked) = (from, world(from, &middle), 0.0);
+        for portal in &route {
+            let side = space.portal(*portal).unwrap().across(region).unwrap();
+            let next = world(side.region, &Point3::from(side.pose.translation.vector));
+            walked += nalgebra::distance(&at, &next);
+            (region, at) = (side.region, next);
+        }
+        prop_assert_eq!(region, to);
+        walked += nalgebra::distance(&at, &world(to, &middle));
+        prop_assert!((walked - length).abs() < 1e-9, "{} {}", walked, length);
     }
 }
 
