@@ -117,3 +117,16 @@ fn two_hands_hold_two_things() {
         assert!(episode.steps < 20, "{} {}", policy.name(), episode.steps);
     }
 }
+
+/// Nobody waits for all choices of sixteen things.
+#[test]
+fn a_goal_that_ranges_over_too_much_is_refused_at_once() {
+    let (scene, _) = flat();
+    let variables: String = (0..16).map(|number| format!("forall ?v{number}. ")).collect();
+    let task = vc_tasks::Task::new("vast", format!("{variables}On(?v0, ?v15)").parse().unwrap());
+    let mut world = vc_graph::Simulator::new(scene.clone());
+    let episode = vc_planner::run_episode(&mut vc_planner::PlannerPolicy::best(), &task, &mut world);
+    assert!(episode.reason.is_some_and(|reason| reason.contains("choices of objects")));
+    let found = vc_tasks::lint::goal(&task.goal, Some(&scene));
+    assert!(found.iter().any(|finding| finding.part.contains("choices of objects")), "{found:?}");
+}

@@ -10,6 +10,7 @@ use super::cycle::{first_in_cycle, rests};
 use super::{Finding, FindingKind, LARGEST, satisfiability};
 use crate::attainable::brought_about;
 use crate::compile::{CompileError, Compiler, GoalProgram, Things};
+use crate::obstacle::too_large;
 use crate::{Obstacle, Task};
 
 /// Finds the mistakes and oddities of a goal. A scene says which objects there are; without one, each class
@@ -40,7 +41,8 @@ pub fn goal(goal: &Goal, scene: Option<&SceneGraph>) -> Vec<Finding> {
     if let Some((graph, agent)) = scene.and_then(|g| Some((g, *g.agents().first()?))) {
         let history = History::default();
         let finding = Finding { kind: FindingKind::TrueAtStart, at: None, part: written.to_string() };
-        if goal.holds(&Situation::new(graph, agent, &history)) && !found.contains(&finding) {
+        let can_be_judged = too_large(goal, graph).next().is_none();
+        if can_be_judged && goal.holds(&Situation::new(graph, agent, &history)) && !found.contains(&finding) {
             found.push(finding);
         }
     }

@@ -5,6 +5,7 @@ use vc_graph::goal::{Comparison, Goal, Literal, Predicate, Situation, Term};
 use vc_graph::{Node, NodeId, Relation, SceneGraph};
 
 use super::demand::demand;
+use super::size::too_large;
 use super::{BroaderClass, HANDS, Lost, Obstacle};
 use crate::attainable::brought_about_by_action;
 use crate::vacuous;
@@ -18,6 +19,7 @@ pub(crate) fn obstacles(goal: &Goal, graph: &SceneGraph) -> Vec<Obstacle> {
     let mut found = name_mismatches(goal, graph);
     found.extend(unknown(goal.terms(), graph).into_iter().filter(|obstacle| !is_listed(obstacle)));
     found.extend(undefined(goal));
+    found.extend(too_large(goal, graph));
     found.extend(parts);
     found
 }
@@ -32,6 +34,7 @@ pub(crate) fn lost(goal: &Goal, graph: &SceneGraph) -> Option<Lost> {
     let goal = &*goal.expanded(graph.vocabulary());
     let mut found = name_mismatches(goal, graph);
     found.extend(undefined(goal));
+    found.extend(too_large(goal, graph));
     found.extend(unknown(vacuous::terms(goal), graph));
     (!found.is_empty()).then_some(Lost::Misnamed(found))
 }

@@ -2,6 +2,7 @@
 
 mod demand;
 mod find;
+mod size;
 
 use std::fmt;
 
@@ -9,9 +10,10 @@ use vc_graph::goal::DerivedPredicate;
 use vc_graph::{NameMismatch, Relation, State, did_you_mean};
 
 pub(crate) use find::{lost, obstacles};
+pub(crate) use size::too_large;
 
 /// A reason why a goal cannot be reached in a scene by any agent.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum Obstacle {
     /// The scene has too few objects of a class.
@@ -60,6 +62,13 @@ pub enum Obstacle {
     NameMismatch(NameMismatch),
     /// The scene has no node of a number that the goal names.
     NoSuchNode(String),
+    /// A part ranges over so many choices of objects that nobody would wait for its evaluation.
+    TooManyChoices {
+        /// The part of the goal.
+        part: String,
+        /// The number of choices.
+        choices: f64,
+    },
     /// An agent is to hold more at once than it has hands.
     TooManyHeld {
         /// The parts of the goal that say so.
@@ -108,6 +117,12 @@ impl fmt::Display for Obstacle {
             }
             Self::NameMismatch(mismatch) => mismatch.fmt(f),
             Self::NoSuchNode(label) => write!(f, "there is no `{label}` in this scene"),
+            Self::TooManyChoices { part, choices } => {
+                write!(
+                    f,
+                    "`{part}` ranges over {choices:.0e} choices of objects; let its variables range over smaller classes"
+                )
+            }
             Self::TooManyHeld { parts, held } => {
                 write!(f, "`{parts}` needs {held} things to be held at once, and an agent has {HANDS} hands")
             }
@@ -133,10 +148,10 @@ const HANDS: usize = Relation::hands().len();
 /// assert!(matches!(progress.lost(&world), Some(Lost::Broken(part)) if part == "always Dirty(apple)"));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Lost {
-    /// Names in the goal stand for nothing: see [`Task::lost`](crate::Task::lost).
+    /// Names in the goal stand for nothing, or it is too large to be judged: see [`Task::lost`](crate::Task::lost).
     #[error("{}", .0.iter().map(Obstacle::to_string).collect::<Vec<_>>().join("; "))]
     Misnamed(Vec<Obstacle>),
     /// A part of it with words of time has been broken.

@@ -1,14 +1,16 @@
 //! Changes of a scene read back from their JSON: those of whole nodes need the class table.
 
+use std::sync::Arc;
+
 use serde::Deserialize;
 
 use super::{FormatError, FormatProblem, NodeFile, Source};
-use crate::{Change, ChangeSet, ClassTable};
+use crate::{Change, ChangeSet, ClassTable, Node};
 
 #[derive(Deserialize)]
 #[serde(untagged)]
 enum ChangeFile {
-    Node(NodeChange),
+    Node(Box<NodeChange>),
     Other(Change),
 }
 
@@ -39,13 +41,14 @@ pub fn read_changes(text: &str, classes: &ClassTable) -> Result<ChangeSet, Forma
     let source = Source::new("changes", text);
     let changes: Vec<ChangeFile> = source.json()?;
     let read = |(index, change): (usize, ChangeFile)| {
-        let change = match change {
-            ChangeFile::Other(change) => Ok(change),
-            ChangeFile::Node(NodeChange::Add(node)) => node.into_node(classes).map(|node| Change::Add(node.into())),
-            ChangeFile::Node(NodeChange::Remove(node)) => {
-                node.into_node(classes).map(|node| Change::Remove(node.into()))
-            }
+        let (node, changed): (NodeFile, fn(Arc<Node>) -> Change) = match change {
+            ChangeFile::Other(change) => return Ok(change),
+            ChangeFile::Node(change) => match *change {
+                NodeChange::Add(node) => (node, Change::Add),
+                NodeChange::Remove(node) => (node, Change::Remove),
+            },
         };
+        let change = node.into_node(classes).map(|node| changed(node.into()));
         change.map_err(|field| source.error(format!("[{index}]{field}"), FormatProblem::Number(field[1..].to_owned())))
     };
     changes.into_iter().enumerate().map(read).collect()
