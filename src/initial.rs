@@ -152,6 +152,7 @@ pub enum Infeasible {
 #[cfg(feature = "environment")]
 pub fn feasible(activity: &Activity, home: &Environment, initial: &Initial) -> Result<(), Infeasible> {
     let (graph, agent) = (home.graph(), initial.agent);
+    let activity = &*activity.expanded(graph.vocabulary());
     let gets_at = |id: &NodeId| home.can_get_at(agent, *id);
     let objects = |class: &str| {
         let all = graph.of_class(class).into_iter();

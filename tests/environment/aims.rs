@@ -126,9 +126,9 @@ fn things_are_put_where_and_as_asked() {
 fn is_reason(why: &ActionError) -> bool {
     use PhysicalRefusal::{NoStand, NotAsAsked, OffAim};
     match why {
-        ActionError::Refused(all) => {
-            all.iter().all(|r| matches!(r, Refusal::PointOutOfReach { .. } | Refusal::PointElsewhere { .. }))
-        }
+        ActionError::Refused(all) => all.iter().all(|r| {
+            matches!(r, Refusal::PointOutOfReach { .. } | Refusal::PointElsewhere { .. } | Refusal::PointTaken { .. })
+        }),
         ActionError::Impossible { why, .. } => matches!(why, NotAsAsked { .. } | OffAim { .. } | NoStand(_)),
         _ => false,
     }
@@ -175,8 +175,13 @@ fn spots_that_cannot_be_are_refused() {
     let other = take_any_but(&mut home, me, thing);
     act(&mut home, me, Verb::Walk, &[table]);
     let onto = Action::place(other, table).at(f64::from(taken.x), f64::from(taken.y)).unwrap();
-    let why = tried(&mut home, me, onto).unwrap_err();
-    assert!(matches!(spot(&why), SpotRefusal::Taken(by) if by.contains(&home.graph().label(thing))), "{why}");
+    let ActionError::Refused(why) = tried(&mut home, me, onto).unwrap_err() else { panic!("the rule knows") };
+    let stands = home.graph().label(thing);
+    assert!(matches!(&why[..], [Refusal::PointTaken { by, .. }] if *by == stands), "{why:?}");
+    // Beside its middle only bodies tell.
+    let beside = Action::place(other, table).at(f64::from(taken.x) + 0.03, f64::from(taken.y)).unwrap();
+    let why = tried(&mut home, me, beside).unwrap_err();
+    assert!(matches!(spot(&why), SpotRefusal::Taken(by) if by.contains(&stands)), "{why}");
 }
 
 fn take_any_but(home: &mut Environment, agent: NodeId, not: NodeId) -> NodeId {

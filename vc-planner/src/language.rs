@@ -202,7 +202,11 @@ impl<F: FnMut(&Prompt) -> Result<String, String>> Policy for LanguageModel<F> {
 
     fn begin(&mut self, start: &EpisodeStart<'_>) {
         self.agent = start.agent;
-        self.goal = format!("{}. The task is done when: {}", start.task.title, start.task.goal);
+        self.goal = format!(
+            "{}. The task is done when: {}",
+            start.task.title,
+            start.task.goal.expanded(start.scene.vocabulary())
+        );
         self.scene = Some(start.scene.clone());
         (self.past, self.wrong, self.refusals) = (Vec::new(), None, 0);
     }

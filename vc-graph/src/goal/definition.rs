@@ -4,7 +4,7 @@ use std::fmt;
 
 use super::scan::is_plain;
 use super::write::Open;
-use super::{DerivedPredicate, Goal, Predicate};
+use super::{DerivedPredicate, Goal, Predicate, Term};
 use crate::clip;
 use crate::vocabulary::{Used, Vocabulary, VocabularyProblem as Problem};
 
@@ -41,6 +41,9 @@ impl PredicateDefinition {
         let body = Goal::with_free(text, &variables)?;
         if body.is_temporal() {
             return Err(Problem::Temporal(predicate.as_str()));
+        }
+        if let Some(node) = body.terms().into_iter().find(|term| matches!(term, Term::Node(..))) {
+            return Err(Problem::NamesNode { predicate: predicate.as_str(), node: node.to_string() });
         }
         Ok(Self { predicate, variables, body })
     }

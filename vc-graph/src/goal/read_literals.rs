@@ -52,7 +52,11 @@ impl Reader {
         let did = self.take(&["did"]);
         let name = self.name("a predicate such as `On(apple, table)`")?;
         let of_nothing = self.predicate(&name, did, 0).is_some_and(|p| p.arity() == 0);
-        let brackets = if of_nothing { "`()` after an action, as in `did dance()`" } else { "`(` after the predicate" };
+        let brackets = if of_nothing {
+            "`()` after a name that is about nothing, as in `did dance()`"
+        } else {
+            "`(` after the predicate"
+        };
         self.demand("(", brackets)?;
         let mut terms = Vec::new();
         let things = self.next;

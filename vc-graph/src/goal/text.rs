@@ -44,12 +44,12 @@ pub enum GoalProblem {
     },
     /// An unknown predicate.
     #[error(
-        "unknown predicate `{0}`{near}; use a state (Open, Clean), a relation (On, Inside, Near) or a verb (Sit, Eat)",
+        "unknown predicate `{0}`{near}; use a state (Open, Clean), a relation (On, Inside, Near) or a verb (Sit, Eat); your own are declared in a `Vocabulary` first",
         near = did_you_mean(.0, names::predicates())
     )]
     Predicate(String),
     /// A word after `did` that is no verb.
-    #[error("unknown verb `{0}` after `did`{near}; use one such as `did grab(cup)`", near = did_you_mean(.0, names::words::<Verb>()))]
+    #[error("unknown verb `{0}` after `did`{near}; use one such as `did grab(cup)`; your own are declared in a `Vocabulary` first", near = did_you_mean(.0, names::words::<Verb>()))]
     Verb(String),
     /// A predicate with the wrong number of terms.
     #[error("`{predicate}` takes {takes} things, {given} are given{near}", near = names::taking(.predicate, *.given))]

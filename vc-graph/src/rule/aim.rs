@@ -1,6 +1,6 @@
 //! Aims as parameters of actions: which verbs take which, what they bring about, and why one is refused.
 
-use nalgebra::{Point2, Point3};
+use nalgebra::{Point2, Point3, Vector3};
 
 use crate::AimWord::{At, By, Seat, Slot, Yaw};
 use crate::asset::Hold;
@@ -8,10 +8,12 @@ use crate::class::SlotKind;
 use crate::rule::effect::Effect;
 use crate::rule::refusal::Refusal;
 use crate::{
-    Action, Aim, AimPart, AimPoint, AimWord, BoundsFrame, NEAR, Node, NodeId, NodeKind, ObjectRole, SceneGraph, State,
-    Verb,
+    Action, Aim, AimPart, AimPoint, AimWord, BoundsFrame, Label, NEAR, Node, NodeId, NodeKind, ObjectRole, Relation,
+    SceneGraph, State, Verb,
 };
 
+/// Half the height up to which a thing is a sheet on which others can stand, metres.
+const SHEET: f32 = 0.005;
 /// How far a point of a surface may be beside the surface's box, metres: numbers are rounded.
 const BESIDE: f32 = 0.01;
 
@@ -156,7 +158,8 @@ impl Judged<'_> {
         }
     }
 
-    /// Putting a thing to a point: it is on the surface, in the container or in the room, and within reach.
+    /// Putting a thing to a point: it is on the surface, in the container or in the room, within reach, and no other thing
+    /// stands there. Boxes tell no more: whether the thing has room and would rest there is found out by bodies.
     fn putting_at(&self, point: AimPoint) -> Option<Refusal> {
         let (graph, plan) = (self.graph, point.plan());
         let elsewhere = |at: NodeId| Refusal::PointElsewhere { point, at: graph.label(at) };
@@ -166,7 +169,17 @@ impl Judged<'_> {
         };
         let distance = graph.node(self.agent).and_then(Node::position).map(|feet| (feet.xy() - plan).norm());
         let far = distance.filter(|distance| *distance > NEAR);
-        beside.map(elsewhere).or_else(|| far.map(|distance| Refusal::PointOutOfReach { point, distance }))
+        let out_of_reach = || far.map(|distance| Refusal::PointOutOfReach { point, distance });
+        let taken = || self.standing_there(&plan).map(|by| Refusal::PointTaken { point, by });
+        beside.map(elsewhere).or_else(out_of_reach).or_else(taken)
+    }
+
+    /// Another thing on the target that stands at a point for sure: the middle half of its box is there.
+    fn standing_there(&self, plan: &Point2<f32>) -> Option<Label> {
+        let others =
+            self.graph.relating(Relation::On, self.action.target?).filter(|id| Some(*id) != self.action.object);
+        let mut nodes = others.filter_map(|id| self.graph.node(id));
+        nodes.find(|node| node.stands_at(plan)).map(Node::label)
     }
 
     fn part(&self, part: AimPart) -> Option<Refusal> {
@@ -250,12 +263,26 @@ fn distance(node: &Node, plan: &Point2<f32>) -> Option<f32> {
 impl Node {
     /// Whether a point is within the node's box in plan, also if it is turned; `None` if the box is not known.
     fn has_in_plan(&self, plan: &Point2<f32>) -> Option<bool> {
+        let (own, half) = self.in_plan(plan)?;
+        Some(own.x.abs() <= half.x + BESIDE && own.y.abs() <= half.y + BESIDE)
+    }
+
+    /// Whether the middle half of the node's box is at a point, and it is no sheet.
+    fn stands_at(&self, plan: &Point2<f32>) -> bool {
+        let middle = |(own, half): (Vector3<f32>, Vector3<f32>)| {
+            own.x.abs() <= half.x / 2.0 && own.y.abs() <= half.y / 2.0 && half.z >= SHEET
+        };
+        self.in_plan(plan).is_some_and(middle)
+    }
+
+    /// A point in plan from the middle of the node's box, and half of the box's size, along its own axes.
+    fn in_plan(&self, plan: &Point2<f32>) -> Option<(Vector3<f32>, Vector3<f32>)> {
         let (bounds, pose) = (self.spec().bounds?, self.pose()?);
         let at = Point3::new(plan.x, plan.y, pose.translation.z);
         let own = match bounds.frame {
             BoundsFrame::Object => pose.inverse_transform_point(&at).coords,
             BoundsFrame::World => at.coords - pose.translation.vector,
         } - bounds.offset;
-        Some(own.x.abs() <= bounds.half.x + BESIDE && own.y.abs() <= bounds.half.y + BESIDE)
+        Some((own, bounds.half))
     }
 }

@@ -68,6 +68,14 @@ pub enum Refusal {
         /// Its distance, metres.
         distance: f32,
     },
+    /// Another thing stands at the point.
+    #[error("{by} stands at {point}: choose another point, or put {by} away first")]
+    PointTaken {
+        /// The point.
+        point: AimPoint,
+        /// The thing.
+        by: Label,
+    },
     /// The point is in no room.
     #[error("the point {0} is in no room of the scene")]
     OutsideRooms(AimPoint),

@@ -39,8 +39,16 @@ pub enum VocabularyProblem {
     /// A definition with words of time.
     #[error("`{0}` is about a single step, so its definition has no words of time; use them around it")]
     Temporal(&'static str),
-    /// A definition refers to itself.
-    #[error("the definition of `{0}` refers to itself")]
+    /// A definition names a node of a scene.
+    #[error("the definition of `{predicate}` names `{node}`, a node of one scene: use a class or a variable")]
+    NamesNode {
+        /// The predicate.
+        predicate: &'static str,
+        /// The node.
+        node: String,
+    },
+    /// A definition refers to itself, by others or directly.
+    #[error("the definition of `{0}` refers to itself, or to one that does")]
     Circular(&'static str),
     /// A definition is too large.
     #[error("the definition of `{predicate}` has more than {largest} parts, with those of the predicates in it")]

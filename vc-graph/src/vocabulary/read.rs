@@ -30,6 +30,9 @@ impl Vocabulary {
     /// | | `says` | a description in one sentence |
     /// | a predicate | `is` | a [`Goal`](crate::Goal) without words of time, about the variables after the name, of which there are at most two |
     ///
+    /// A definition is the rest of its line, `|` for "or" included; a bare word in it that is the name of a variable is that
+    /// variable, unless it is quoted. It names no nodes.
+    ///
     /// All but `is` may be left out. A verb is followed by the number of its things, 0 to 2: `x` is the first, `y` the second.
     /// Preconditions and effects are those of [`Condition`] and [`Effect`], with their names in lower case: `near x`,
     /// `not_in x hot`, `holding_kind wiper`, `related x on y`, `put_into x y`, `enter_own asleep`.

@@ -5,8 +5,8 @@ use proptest::prelude::*;
 use vc_graph::format::program::{self, Program};
 use vc_graph::rule::table::RULES;
 use vc_graph::{
-    Action, ActionTextError, Aim, AimError, AimPart, AimPoint, Bounds, Draft, Effect, Heading, NodeId, Pose, Refusal,
-    Relation, SceneBuilder, SceneGraph, Semantics, Side, Simulator, Verb, Vocabulary, Word, rule,
+    Action, ActionTextError, Aim, AimError, AimPart, AimPoint, Bounds, Draft, Effect, Heading, NodeId, Place, Pose,
+    Refusal, Relation, SceneBuilder, SceneGraph, Semantics, Side, Simulator, Verb, Vocabulary, Word, rule,
 };
 use vc_testkit::cases;
 use vc_testkit::goals::words;
@@ -312,6 +312,21 @@ fn points_that_cannot_be_are_refused() {
     assert_eq!(home.refused("walk at 9 9"), "the point 9.00 9.00 is in no room of the scene");
     assert_eq!(home.refused("walk table at 3.6 2"), "the point 3.60 2.00 is too far from kitchen_table.3: 2.2 m");
     assert_eq!(home.refused("walk kitchen at 5 2"), "the point 5.00 2.00 is not on or in kitchen.1");
+    // Another thing stands there.
+    home.done("place cup table at 1.2 1.4");
+    let mut edit = home.graph.edit();
+    let plate = edit
+        .add(
+            Draft::new("plate").bounds(Bounds::standing([0.3, 0.3, 0.03].into())).at(Pose::translation(1.2, 1.6, 0.75)),
+        )
+        .unwrap();
+    edit.place(plate, Place { relation: Relation::On, at: home.table }).unwrap();
+    edit.commit();
+    home.done("grab cup");
+    let taken =
+        format!("plate.{} stands at 1.25 1.60: choose another point, or put plate.{} away first", plate.0, plate.0);
+    assert_eq!(home.refused("place cup table at 1.25 1.6"), taken);
+    home.done("place cup table at 1.3 1.3");
     home.done("walk sofa");
     assert_eq!(home.refused("sit sofa seat 4"), "sofa.5 has 3 seats, numbered from 1: there is no seat 4");
     assert_eq!(home.refused("sit sofa seat 0"), "sofa.5 has 3 seats, numbered from 1: there is no seat 0");

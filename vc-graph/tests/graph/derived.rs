@@ -79,6 +79,7 @@ fn mistakes_are_told() {
     assert!(matches!(problem("state p2\npredicate p2 ?x | is: Open(?x)"), P::Name(NameProblem::BuiltIn(_))));
     assert!(matches!(problem("predicate p4 ?x | is: Open(?x)\nstate p4"), P::Name(NameProblem::BuiltIn(_))));
     assert!(matches!(problem("predicate p1 ?x | says: Nice. | is: Open(?x)"), P::Field { .. }));
+    assert!(matches!(problem("predicate p1 ?x | is: On(?x, table.4)"), P::NamesNode { .. }));
     let round = "predicate p5 ?x | is: p6(?x)\npredicate p6 ?x | is: !p5(?x)";
     assert!(matches!(problem(round), P::Circular("p5")));
     words("predicate elsewhere ?x | is: Open(?x)");
@@ -100,6 +101,23 @@ fn variables_of_a_definition_are_not_confused_with_those_of_the_goal() {
     assert_eq!(expanded("Loaded(table.4), <= 0"), "!(exists ?y. On(?y, table.4))");
     assert_eq!(expanded("Loaded(table.4), 2"), "false");
     assert_eq!(expanded("exactly 1 ?x: cup. Loaded(?x)"), "exactly 1 ?x: cup. exists ?y. On(?y, ?x)");
+    assert_eq!(expanded("!Loaded(table.4)"), "!(exists ?y. On(?y, table.4))");
+    let words = Vocabulary::parse(
+        "words.txt",
+        "predicate heaped ?x | is: forall ?y: cup. (On(?y, ?x) | exists ?x: plate. On(?x, ?y))
+         predicate stacked ?x ?y | is: at least 2 ?z. (On(?z, ?x) & On(?x, ?y))
+         predicate paired ?x | is: pairs ?y: cup, ?z: plate. (On(?y, ?z) & On(?z, ?x))",
+    )
+    .unwrap();
+    let within = |text: &str| goal(text).expanded(&words).to_string();
+    let heaped = "forall ?y: table. forall ?y1: cup. On(?y1, ?y) | (exists ?x: plate. On(?x, ?y1))";
+    assert_eq!(within("forall ?y: table. Heaped(?y)"), heaped);
+    let swapped = "exists ?y. exists ?x. at least 2 ?z. On(?z, ?y) & On(?y, ?x)";
+    assert_eq!(within("exists ?y. exists ?x. Stacked(?y, ?x)"), swapped);
+    let counted = "exists ?z. at least 2 ?z1. On(?z1, ?z) & On(?z, table.3)";
+    assert_eq!(within("exists ?z. Stacked(?z, table.3)"), counted);
+    let pairs = "forall ?z: table. pairs ?y: cup, ?z1: plate. On(?y, ?z1) & On(?z1, ?z)";
+    assert_eq!(within("forall ?z: table. Paired(?z)"), pairs);
     assert_eq!(expanded("always Loaded(_)"), "always (exists ?x. exists ?y. On(?y, ?x))");
 }
 
@@ -156,6 +174,7 @@ proptest! {
             "= " => number_found == number,
             _ => number_found <= number,
         };
+        prop_assert_eq!(goal(&format!("!{text}")).holds(&now), number_found == 0, "{}", text);
         prop_assert_eq!(goal(&counted).holds(&now), admitted, "{}: {}", counted, number_found);
         // A trace with a single state says the same, but for what has been done.
         let trace = EpisodeTrace::new(graph.clone(), me);

@@ -98,7 +98,7 @@ pub fn explain(goal: &Goal, now: &Situation<'_>) -> Result<Vec<GoalPart>, Compil
         goal: part.clone(),
         holds: program.head_holds(&bits, head),
         unmet: program.unmet_of_head(&bits, head, SETS).sets,
-        bindings: quantified(part).map(|q| bindings(q, now)),
+        bindings: quantified(&part.expanded(now.graph.vocabulary())).map(|q| bindings(q, now)),
     };
     Ok(conjuncts.map(part).collect())
 }

@@ -156,6 +156,7 @@ impl<'a> InitialGenerator<'a> {
         seed: Seed,
         world: &mut dyn World,
     ) -> Result<Initial, InitialError> {
+        let (written, activity) = (activity, &*activity.expanded(scene.vocabulary()));
         let ground = Ground::from_scene(scene);
         let own = seed.child(&activity.id);
         let mut last = InitialError::StartUnmet(activity.start.to_string());
@@ -175,7 +176,7 @@ impl<'a> InitialGenerator<'a> {
                 continue;
             }
             match difference(activity, &asked, world.graph()) {
-                None => return Ok(asked.confirmed(activity, world.graph().clone(), tries)),
+                None => return Ok(asked.confirmed(written, world.graph().clone(), tries)),
                 Some(difference) => last = InitialError::Unconfirmed { difference, tries },
             }
         }

@@ -1,12 +1,13 @@
 //! A task with everything it needs.
 
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 use vc_graph::class::Category;
 use vc_graph::format::unmarked;
 use vc_graph::goal::{Comparison, Goal, Literal, Predicate, Term};
-use vc_graph::{ClassTable, Relation, State, Verb};
+use vc_graph::{ClassTable, Relation, State, Verb, Vocabulary};
 
 use super::Need;
 use crate::Task;
@@ -81,6 +82,16 @@ impl Activity {
         let fail = |e: serde_json::Error| ActivityError { file: list.to_owned(), message: e.to_string() };
         let written: Vec<Written> = serde_json::from_str(unmarked(text)).map_err(fail)?;
         Ok(written.into_iter().map(|w| w.named(list)).collect())
+    }
+
+    /// The activity with the definitions of a vocabulary in the place of derived predicates: see [`Goal::expanded`].
+    pub fn expanded(&self, words: &Vocabulary) -> Cow<'_, Self> {
+        if words.own_predicates().is_empty() {
+            return Cow::Borrowed(self);
+        }
+        let of = |goal: &Goal| goal.expanded(words).into_owned();
+        let (goal, natural, start) = (of(&self.goal), of(&self.natural), of(&self.start));
+        Cow::Owned(Self { goal, natural, start, ..self.clone() })
     }
 
     /// The task: the goal and the natural end as one goal.

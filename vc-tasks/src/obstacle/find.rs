@@ -1,7 +1,7 @@
 //! Finds the obstacles of a goal in a scene.
 
 use vc_graph::clock::ProcessTable;
-use vc_graph::goal::{Comparison, Goal, Literal, Predicate, Situation, Term};
+use vc_graph::goal::{Comparison, Goal, Literal, Predicate, Quantified, Situation, Term};
 use vc_graph::{Node, NodeId, Relation, SceneGraph};
 
 use super::demand::demand;
@@ -24,9 +24,17 @@ pub(crate) fn obstacles(goal: &Goal, graph: &SceneGraph) -> Vec<Obstacle> {
     found
 }
 
-/// The derived predicates that are left where definitions have taken the place of others.
-fn undefined(goal: &Goal) -> impl Iterator<Item = Obstacle> {
-    goal.derived_predicates().into_iter().map(Obstacle::NoDefinition)
+/// The derived predicates that are left where definitions have taken the place of others, and without which the goal has
+/// no meaning: one alternative is enough.
+fn undefined(goal: &Goal) -> Vec<Obstacle> {
+    match goal {
+        Goal::And(parts) | Goal::Then(parts) => parts.iter().flat_map(undefined).collect(),
+        Goal::Or(parts) => {
+            let each: Vec<Vec<Obstacle>> = parts.iter().map(undefined).collect();
+            if each.iter().any(Vec::is_empty) { Vec::new() } else { each.concat() }
+        }
+        _ => goal.derived_predicates().into_iter().map(Obstacle::NoDefinition).collect(),
+    }
 }
 
 /// The reason why a goal is lost before anything is done; see [`Task::lost`](crate::Task::lost).
@@ -135,14 +143,19 @@ fn check_goal(goal: &Goal, graph: &SceneGraph, found: &mut Vec<Obstacle>) {
                 found.extend(each.into_iter().flatten());
             }
         }
-        Goal::Exists(q) | Goal::ForAll(q) => {
-            if let Some(class) = &q.class {
-                require(goal, class, 1, graph, found, |_| true, "");
-            }
-            check_goal(&q.body, graph, found);
+        Goal::Exists(q) | Goal::ForAll(q) => check_range(goal, q, 1, graph, found),
+        Goal::ForN { comparison: Comparison::AtLeast | Comparison::Exactly, number, of } if *number > 0 => {
+            check_range(goal, of, *number as usize, graph, found);
         }
         _ => {}
     }
+}
+
+fn check_range(part: &Goal, range: &Quantified, number: usize, graph: &SceneGraph, found: &mut Vec<Obstacle>) {
+    if let Some(class) = &range.class {
+        require(part, class, number, graph, found, |_| true, "");
+    }
+    check_goal(&range.body, graph, found);
 }
 
 fn check_literal(part: &Goal, literal: &Literal, number: usize, graph: &SceneGraph, found: &mut Vec<Obstacle>) {

@@ -1,5 +1,7 @@
 //! Scores that count conditions.
 
+use std::borrow::Cow;
+
 use vc_graph::Goal;
 use vc_graph::goal::{Comparison, EpisodeTrace, Situation};
 
@@ -64,6 +66,7 @@ impl GoalProgram {
 /// ```
 pub fn percent_complete(goal: &Goal, trace: &EpisodeTrace) -> Conditions {
     let last = trace.situation(trace.steps());
+    let goal = &*last.map_or(Cow::Borrowed(goal), |now| goal.expanded(now.graph.vocabulary()));
     let mut sum = Conditions { satisfied: 0, conditions: 0 };
     for part in goal.conjuncts() {
         let (satisfied, conditions) = match counted(part).zip(last) {

@@ -6,6 +6,7 @@ mod common;
 mod bddl;
 mod behavior;
 mod compile;
+mod derived;
 mod eai;
 mod formats;
 mod hostile;

@@ -349,7 +349,10 @@ impl Way {
                 self.need(AtomicFormula::new("free", &[variable(t)]));
                 self.enter(words, variable(t), state);
             }
-            Effect::Leave(t, state) => self.delete(is(state), &[variable(t)]),
+            Effect::Leave(t, state) => {
+                self.delete(is(state), &[variable(t)]);
+                self.add(is_not(state), &[variable(t)]);
+            }
             Effect::EnterOwn(state) => self.add(is(state), &[HANDS]),
             Effect::LeaveOwn(state) => self.delete(is(state), &[HANDS]),
             Effect::GoTo(t) => {
