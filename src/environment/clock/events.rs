@@ -206,10 +206,11 @@ impl Environment {
         let stands = self.world.posture(agent) == Some(Posture::Standing);
         let mut past: Vec<NodeId> = self.walkers(agent);
         past.extend(stands.then_some(agent));
-        let whole = vec![drive.open; self.world.parts(drive.id).all().len()];
-        self.heed_passers(agent, &Leaf::new(&self.world, drive.id, &whole, now))?;
         let planned = self.world.parts(drive.id).plan(drive.open, &past);
         let ends = planned.map_err(|e| self.cannot(agent, e.into()))?.filter(|_| !drive.pushes);
+        // It moves from now on: only by then those who walk into it are told.
+        let whole = vec![drive.open; self.world.parts(drive.id).all().len()];
+        self.heed_passers(agent, &Leaf::new(&self.world, drive.id, &whole, now))?;
         let Some(ends) = ends else { return self.push(agent, &drive, false) };
         let leaf = Leaf::new(&self.world, drive.id, &ends, self.after_walkers(agent, drive.id, drive.open));
         if let Some(schedule) = self.clock.running.get_mut(&agent) {
