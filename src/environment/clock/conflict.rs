@@ -1,5 +1,7 @@
 //! Agents in each other's way: the one who comes later waits, and whoever is in a doorway has it.
 
+use std::collections::BTreeMap;
+
 use nalgebra::Point2;
 use vc_graph::clock::{Span, Tick};
 use vc_graph::{NodeId, Pose};
@@ -137,6 +139,46 @@ impl Environment {
             }
         }
         Ok(())
+    }
+
+    /// Puts doors that somebody passes where they are in this tick, as far as there is room for them.
+    pub(super) fn put_passed_doors(&mut self) {
+        let mut doors: BTreeMap<NodeId, f32> = BTreeMap::new();
+        let now = self.tick();
+        for way in self.clock.running.values().filter_map(|schedule| schedule.track.way()) {
+            for (door, open) in way.passes(now) {
+                let widest = doors.entry(door).or_insert(open);
+                *widest = widest.max(open);
+            }
+        }
+        doors.into_iter().for_each(|(door, open)| self.move_passed_door(door, open));
+    }
+
+    fn move_passed_door(&mut self, door: NodeId, open: f32) {
+        let now = self.world.parts(door).openness();
+        if now.is_none_or(|now| (now - open).abs() <= 1e-3) {
+            return;
+        }
+        let walkers: Vec<NodeId> =
+            self.clock.running.iter().filter(|(_, s)| s.track.way().is_some()).map(|(a, _)| *a).collect();
+        // One that is locked, or does not fit in, stays.
+        if let Ok(Some(ends)) = self.world.parts(door).plan(open, &walkers) {
+            ends.iter().enumerate().for_each(|(part, open)| drop(self.world.put_open(door, Some(part), *open)));
+        }
+    }
+
+    /// Doors that a walker has passed, or was about to, are as open as by themselves: if nobody else passes them, nor the
+    /// walker is in the doorway, who has been stopped there.
+    pub(super) fn leave_doors(&mut self, agent: NodeId, way: &Way) {
+        let now = self.tick();
+        for passage in &way.doors {
+            let others = self.ways(agent).any(|(_, theirs)| theirs.in_doorway(passage.door).is_some());
+            let inside =
+                way.in_doorway(passage.door).is_some_and(|(from, to)| from <= now && now <= to && now < way.end());
+            if !others && !inside {
+                self.move_passed_door(passage.door, passage.own);
+            }
+        }
     }
 
     /// Ends the actions of others that were to take what an agent has taken.

@@ -6,10 +6,10 @@ use vc_graph::asset::JointKind;
 use vc_graph::{Action, Effect, NodeId, Pose, rule};
 use vc_physics::{MovingPart, Posture};
 
+use super::Interruption;
 use super::schedule::{NEVER, Phase, Schedule, Truth, lasts};
 use super::show::Settling;
 use super::track::{Leaf, Track, Turn};
-use super::{Interruption, track};
 use crate::environment::execute::{Bodies, Plan, Planner, Step, Task, WIDE};
 use crate::environment::motion::{BodyMotion, Drive};
 use crate::environment::observe::holder;
@@ -293,7 +293,7 @@ impl Environment {
             self.look_anew();
         }
         if let Track::Way(way) = &track {
-            self.leave_doors(way);
+            self.leave_doors(agent, way);
         }
         if true_now && self.goes_after(agent)? {
             return Ok(());
@@ -418,7 +418,7 @@ impl Environment {
             (0..).zip(parts).for_each(|(part, now)| drop(self.world.put_open(drive.id, Some(part), now.open)));
         }
         match &schedule.track {
-            Track::Way(way) => self.leave_doors(way),
+            Track::Way(way) => self.leave_doors(agent, way),
             Track::Leaf(leaf) => {
                 // The part is there, and nothing is in its way.
                 leaf.open(now)
@@ -439,16 +439,5 @@ impl Environment {
         // An action whose effects have come true has been done, however its motions end.
         let done = schedule.truth.is_some() && matches!(error, ActionError::Interrupted { .. });
         self.end(agent, schedule.action, if done { Ok(()) } else { Err(error) });
-    }
-
-    /// Doors that were passed are as open as they are by themselves.
-    fn leave_doors(&mut self, way: &track::Way) {
-        for passage in &way.doors {
-            let now = self.world.parts(passage.door).openness();
-            if now.is_some_and(|now| (now - passage.own).abs() > 1e-3) {
-                // The door was moved in passing.
-                let _ = self.world.put_open(passage.door, None, passage.own);
-            }
-        }
     }
 }

@@ -239,6 +239,7 @@ impl Environment {
         let given = std::mem::take(&mut self.clock.given);
         if !due.is_empty() || !given.is_empty() {
             self.put_feet(&due);
+            self.put_passed_doors();
         }
         due.into_iter().for_each(|agent| self.fire(agent));
         if !given.is_empty() {

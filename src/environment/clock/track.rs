@@ -39,6 +39,14 @@ pub(super) enum Track {
 }
 
 impl Track {
+    /// The way, if feet follow one.
+    pub(super) fn way(&self) -> Option<&Way> {
+        match self {
+            Self::Way(way) => Some(way),
+            _ => None,
+        }
+    }
+
     /// Where the feet are, if they move.
     pub(super) fn feet(&self, at: Tick) -> Option<Pose> {
         match self {
