@@ -52,6 +52,12 @@ pub enum Interruption {
         /// The agent that passes it.
         by: Label,
     },
+    /// Others stand in the way, and there is none round them; they have not left within ten seconds.
+    #[error("{} in the way: let them walk elsewhere first", .by.iter().map(Label::to_string).collect::<Vec<_>>().join(", "))]
+    Blocked {
+        /// The agents that stand there.
+        by: Vec<Label>,
+    },
     /// The transition rule allows the action no longer.
     #[error("it is no longer allowed: {}", .0.iter().map(Refusal::to_string).collect::<Vec<_>>().join("; "))]
     NoLonger(Vec<Refusal>),

@@ -7,6 +7,7 @@ use vc_graph::{Action, Effect, NodeId, Pose, rule};
 use vc_physics::{MovingPart, Posture};
 
 use super::Interruption;
+use super::passing::Walk;
 use super::schedule::{NEVER, Phase, Schedule, Truth, lasts};
 use super::show::Settling;
 use super::track::{Leaf, Track, Turn};
@@ -34,6 +35,7 @@ impl Environment {
         if !refusals.is_empty() {
             return self.end(agent, action, Err(ActionError::Refused(refusals)));
         }
+        self.stays_aside(agent);
         let tasks = if self.start.time.bodies { Task::of(self.graph.vocabulary(), &action) } else { VecDeque::new() };
         self.clock.running.insert(agent, Schedule::new(action, tasks));
         self.go_on(agent);
@@ -52,7 +54,7 @@ impl Environment {
             Phase::Pushes(_, false) => self.still_allowed(agent).and_then(|()| self.push_behind(agent)),
             Phase::Leaf | Phase::Pushes(_, true) => self.still_allowed(agent).and_then(|()| self.perform(agent)),
             Phase::Ends => return self.finish_in_time(agent),
-            Phase::Back | Phase::Rests => Ok(()),
+            Phase::Back | Phase::Rests | Phase::Waits => Ok(()),
         };
         match done {
             Ok(()) => self.go_on(agent),
@@ -159,14 +161,19 @@ impl Environment {
                 until = turn.end();
                 track = Track::Turn(turn);
             }
-            BodyMotion::Walk { points, doors, feet, run } => {
-                let way = self.way(agent, (points, doors), (from, *feet), *run);
+            BodyMotion::Walk { .. } | BodyMotion::StepAside { .. } => {
+                let Some(way) = Walk::of(&motion).and_then(|walk| self.way(agent, walk)) else {
+                    return self.wait(agent, motion);
+                };
                 until = way.end();
                 track = Track::Way(way);
             }
             _ => {}
         }
         if let Some(schedule) = self.clock.running.get_mut(&agent) {
+            if matches!(motion, BodyMotion::Walk { .. }) {
+                schedule.waits = None;
+            }
             (schedule.motion, schedule.done) = (Some(motion).filter(|_| phase == Phase::Out), None);
             (schedule.phase, schedule.begin, schedule.track, schedule.until) = (phase, now, track, until);
         }
@@ -418,7 +425,10 @@ impl Environment {
             (0..).zip(parts).for_each(|(part, now)| drop(self.world.put_open(drive.id, Some(part), now.open)));
         }
         match &schedule.track {
-            Track::Way(way) => self.leave_doors(agent, way),
+            Track::Way(way) => {
+                way.aside.iter().for_each(|step| self.step_to(step.agent, step.feet(now)));
+                self.leave_doors(agent, way);
+            }
             Track::Leaf(leaf) => {
                 // The part is there, and nothing is in its way.
                 leaf.open(now)
