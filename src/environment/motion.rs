@@ -10,6 +10,8 @@ use vc_physics::Hand;
 pub(super) enum BodyMotion {
     /// Walks along points, doors on the way opened and closed in passing, to a pose.
     Walk { points: Vec<Point2<f32>>, doors: Vec<NodeId>, feet: Pose, run: bool },
+    /// Walks out of somebody's way.
+    StepAside { points: Vec<Point2<f32>>, doors: Vec<NodeId>, feet: Pose },
     /// Turns on the spot.
     Turn(Pose),
     /// Takes a thing into a hand, perhaps by a side.

@@ -1,6 +1,7 @@
 //! Actions that take time: how time is divided changes nothing, and agents in each other's way.
 
 mod contested;
+mod passing;
 mod rule_alone;
 mod saved;
 

@@ -1,35 +1,33 @@
-//! Agents in each other's way: the one who comes later waits, and whoever is in a doorway has it.
+//! Agents in each other's way at doors and hands: whoever is in a doorway has it, and a thing belongs to the first hand.
+
+use std::collections::BTreeMap;
 
 use nalgebra::Point2;
 use vc_graph::clock::{Span, Tick};
 use vc_graph::{NodeId, Pose};
 
 use super::Interruption;
-use super::schedule::Schedule;
+use super::passing::{Walk, spot};
+use super::schedule::{Phase, Schedule};
 use super::track::{Leaf, Passage, Track, Way};
 use crate::environment::{ActionError, Environment};
 
-/// Distance that walkers keep from each other, metres.
-const APART: f32 = 0.5;
-/// The longest wait for others, and the steps in which it is looked for.
-const WAITS: Span = Span(600);
-const WAIT: Span = Span(15);
+/// The longest wait for others, and the steps in which a gap between them is looked for.
+pub(super) const WAITS: Span = Span(600);
+pub(super) const WAIT: Span = Span(15);
 /// Ticks between poses that are compared.
 const COARSE: usize = 6;
 
 impl Environment {
-    fn others(&self, agent: NodeId) -> impl Iterator<Item = (NodeId, &Schedule)> {
+    pub(super) fn others(&self, agent: NodeId) -> impl Iterator<Item = (NodeId, &Schedule)> {
         self.clock.running.iter().filter(move |(other, _)| **other != agent).map(|(other, schedule)| (*other, schedule))
     }
 
-    fn ways(&self, agent: NodeId) -> impl Iterator<Item = (NodeId, &Way)> {
-        self.others(agent).filter_map(|(other, schedule)| match &schedule.track {
-            Track::Way(way) => Some((other, way)),
-            _ => None,
-        })
+    pub(super) fn ways(&self, agent: NodeId) -> impl Iterator<Item = (NodeId, &Way)> {
+        self.others(agent).filter_map(|(other, schedule)| Some((other, schedule.track.way()?)))
     }
 
-    fn leaves(&self, agent: NodeId) -> impl Iterator<Item = &Leaf> {
+    pub(super) fn leaves(&self, agent: NodeId) -> impl Iterator<Item = &Leaf> {
         self.others(agent).filter_map(|(_, schedule)| match &schedule.track {
             Track::Leaf(leaf) => Some(leaf),
             _ => None,
@@ -41,57 +39,21 @@ impl Environment {
         self.ways(agent).map(|(other, _)| other).collect()
     }
 
-    /// The spots where others are going to stand.
+    /// The spots where others are going to stand, those too who wait before they walk.
     pub(super) fn claims(&self, agent: NodeId) -> Vec<Point2<f32>> {
-        self.ways(agent).map(|(_, way)| way.to.translation.vector.xy().into()).collect()
-    }
-
-    /// A walk, which begins when it meets no other walker, and doors have stopped that others move.
-    pub(super) fn way(
-        &self,
-        agent: NodeId,
-        (points, doors): (&[Point2<f32>], &[NodeId]),
-        (from, to): (Pose, Pose),
-        run: bool,
-    ) -> Way {
-        let plan = self.world.agent(agent).map(|agent| *agent.plan()).unwrap_or_default();
-        let passage = |door: &NodeId| Passage::new(&self.world, &self.graph, points, *door);
-        let mut doors: Vec<Passage> = doors.iter().filter_map(passage).collect();
-        for passage in &mut doors {
-            passage.own = self.own_openness(agent, passage);
-        }
-        let speed = if run { plan.run } else { plan.walk };
-        let now = self.tick();
-        let mut way = Way { points: points.to_vec(), begin: now, speed, from, to, doors };
-        while way.begin <= now + WAITS {
-            if self.is_clear(agent, &way) {
-                return way;
-            }
-            way.begin += WAIT;
-        }
-        // They pass each other, however narrow it is.
-        way.begin = now;
-        way
+        let goal = |schedule: &Schedule| match schedule.phase {
+            Phase::Waits => Walk::of(schedule.motions.front()?).map(|walk| walk.feet),
+            _ => schedule.track.way().map(|way| way.to),
+        };
+        self.others(agent).filter_map(|(_, schedule)| Some(spot(&goal(schedule)?))).collect()
     }
 
     /// How open a door is by itself: one that somebody moves is as that one leaves it; one that somebody passes, as it
     /// was before that.
-    fn own_openness(&self, agent: NodeId, passage: &Passage) -> f32 {
+    pub(super) fn own_openness(&self, agent: NodeId, passage: &Passage) -> f32 {
         let left = self.leaves(agent).find(|leaf| leaf.id == passage.door).map(Leaf::openness);
         let mut passed = self.ways(agent).flat_map(|(_, way)| &way.doors).filter(|p| p.door == passage.door);
         left.or_else(|| passed.next().map(|p| p.own)).unwrap_or(passage.own)
-    }
-
-    fn is_clear(&self, agent: NodeId, way: &Way) -> bool {
-        let apart = |t: Tick, theirs: &Way| {
-            (way.feet(t).translation.vector - theirs.feet(t).translation.vector).xy().norm() >= APART
-        };
-        let clear = |theirs: &Way| ticks(self.tick(), way.end().min(theirs.end())).all(|t| apart(t, theirs));
-        let open = |leaf: &Leaf| match way.in_doorway(leaf.id) {
-            Some((from, _)) => from > leaf.end(),
-            None => way.begin > leaf.end() || !self.meets(agent, way, leaf.id, leaf.openness(), self.tick()),
-        };
-        self.ways(agent).all(|(_, theirs)| clear(theirs)) && self.leaves(agent).all(open)
     }
 
     /// The tick from which on nobody's way leads through a thing's parts as they are going to be; now, if that takes too
@@ -107,7 +69,7 @@ impl Environment {
     }
 
     /// Whether a way, from a tick on, leads through a thing's parts when they are open by a fraction.
-    fn meets(&self, who: NodeId, way: &Way, thing: NodeId, open: f32, from: Tick) -> bool {
+    pub(super) fn meets(&self, who: NodeId, way: &Way, thing: NodeId, open: f32, from: Tick) -> bool {
         let free = |feet: &Pose, at: &[f32]| {
             self.world.standing(who, feet).and_then(|there| Ok(there.is_free_with_open(thing, at)?)).unwrap_or(true)
         };
@@ -139,6 +101,46 @@ impl Environment {
         Ok(())
     }
 
+    /// Puts doors that somebody passes where they are in this tick, as far as there is room for them.
+    pub(super) fn put_passed_doors(&mut self) {
+        let mut doors: BTreeMap<NodeId, f32> = BTreeMap::new();
+        let now = self.tick();
+        for way in self.clock.running.values().filter_map(|schedule| schedule.track.way()) {
+            for (door, open) in way.passes(now) {
+                let widest = doors.entry(door).or_insert(open);
+                *widest = widest.max(open);
+            }
+        }
+        doors.into_iter().for_each(|(door, open)| self.move_passed_door(door, open));
+    }
+
+    fn move_passed_door(&mut self, door: NodeId, open: f32) {
+        let now = self.world.parts(door).openness();
+        if now.is_none_or(|now| (now - open).abs() <= 1e-3) {
+            return;
+        }
+        let walkers: Vec<NodeId> =
+            self.clock.running.iter().filter(|(_, s)| s.track.way().is_some()).map(|(a, _)| *a).collect();
+        // One that is locked, or does not fit in, stays.
+        if let Ok(Some(ends)) = self.world.parts(door).plan(open, &walkers) {
+            ends.iter().enumerate().for_each(|(part, open)| drop(self.world.put_open(door, Some(part), *open)));
+        }
+    }
+
+    /// Doors that a walker has passed, or was about to, are as open as by themselves: if nobody else passes them, nor the
+    /// walker is in the doorway, who has been stopped there.
+    pub(super) fn leave_doors(&mut self, agent: NodeId, way: &Way) {
+        let now = self.tick();
+        for passage in &way.doors {
+            let others = self.ways(agent).any(|(_, theirs)| theirs.in_doorway(passage.door).is_some());
+            let inside =
+                way.in_doorway(passage.door).is_some_and(|(from, to)| from <= now && now <= to && now < way.end());
+            if !others && !inside {
+                self.move_passed_door(passage.door, passage.own);
+            }
+        }
+    }
+
     /// Ends the actions of others that were to take what an agent has taken.
     pub(in crate::environment) fn tell_taken(&mut self, by: NodeId, thing: NodeId) {
         let needs = |schedule: &Schedule| schedule.truth.is_none() && schedule.action.object == Some(thing);
@@ -150,6 +152,6 @@ impl Environment {
     }
 }
 
-fn ticks(from: Tick, to: Tick) -> impl Iterator<Item = Tick> {
+pub(super) fn ticks(from: Tick, to: Tick) -> impl Iterator<Item = Tick> {
     (from.0..to.0.max(from.0 + 1)).step_by(COARSE).map(Tick)
 }

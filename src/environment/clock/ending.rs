@@ -8,7 +8,9 @@ use crate::environment::ActionError;
 /// An action that has ended, as [`Environment::step`](crate::Environment::step) reports it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Ending {
-    /// The tick in which it ended.
+    /// The tick in which it ended: when [`Environment::tick`](crate::Environment::tick) is past it, the graph has what
+    /// happened in it. An effect comes true with its motion, and its action ends when all rests and the hand is back;
+    /// whoever is too late by then is told in the tick of the effect, so before the winner's ending.
     pub tick: Tick,
     /// The agent that did it.
     pub agent: NodeId,
@@ -49,6 +51,12 @@ pub enum Interruption {
         door: Label,
         /// The agent that passes it.
         by: Label,
+    },
+    /// Others stand in the way, and there is none round them; they have not left within ten seconds.
+    #[error("{} in the way: let them walk elsewhere first", .by.iter().map(Label::to_string).collect::<Vec<_>>().join(", "))]
+    Blocked {
+        /// The agents that stand there.
+        by: Vec<Label>,
     },
     /// The transition rule allows the action no longer.
     #[error("it is no longer allowed: {}", .0.iter().map(Refusal::to_string).collect::<Vec<_>>().join("; "))]

@@ -6,10 +6,11 @@ use vc_graph::asset::JointKind;
 use vc_graph::{Action, Effect, NodeId, Pose, rule};
 use vc_physics::{MovingPart, Posture};
 
+use super::Interruption;
+use super::passing::Walk;
 use super::schedule::{NEVER, Phase, Schedule, Truth, lasts};
 use super::show::Settling;
 use super::track::{Leaf, Track, Turn};
-use super::{Interruption, track};
 use crate::environment::execute::{Bodies, Plan, Planner, Step, Task, WIDE};
 use crate::environment::motion::{BodyMotion, Drive};
 use crate::environment::observe::holder;
@@ -34,6 +35,7 @@ impl Environment {
         if !refusals.is_empty() {
             return self.end(agent, action, Err(ActionError::Refused(refusals)));
         }
+        self.stays_aside(agent);
         let tasks = if self.start.time.bodies { Task::of(self.graph.vocabulary(), &action) } else { VecDeque::new() };
         self.clock.running.insert(agent, Schedule::new(action, tasks));
         self.go_on(agent);
@@ -52,7 +54,7 @@ impl Environment {
             Phase::Pushes(_, false) => self.still_allowed(agent).and_then(|()| self.push_behind(agent)),
             Phase::Leaf | Phase::Pushes(_, true) => self.still_allowed(agent).and_then(|()| self.perform(agent)),
             Phase::Ends => return self.finish_in_time(agent),
-            Phase::Back | Phase::Rests => Ok(()),
+            Phase::Back | Phase::Rests | Phase::Waits => Ok(()),
         };
         match done {
             Ok(()) => self.go_on(agent),
@@ -159,14 +161,19 @@ impl Environment {
                 until = turn.end();
                 track = Track::Turn(turn);
             }
-            BodyMotion::Walk { points, doors, feet, run } => {
-                let way = self.way(agent, (points, doors), (from, *feet), *run);
+            BodyMotion::Walk { .. } | BodyMotion::StepAside { .. } => {
+                let Some(way) = Walk::of(&motion).and_then(|walk| self.way(agent, walk)) else {
+                    return self.wait(agent, motion);
+                };
                 until = way.end();
                 track = Track::Way(way);
             }
             _ => {}
         }
         if let Some(schedule) = self.clock.running.get_mut(&agent) {
+            if matches!(motion, BodyMotion::Walk { .. }) {
+                schedule.waits = None;
+            }
             (schedule.motion, schedule.done) = (Some(motion).filter(|_| phase == Phase::Out), None);
             (schedule.phase, schedule.begin, schedule.track, schedule.until) = (phase, now, track, until);
         }
@@ -206,10 +213,11 @@ impl Environment {
         let stands = self.world.posture(agent) == Some(Posture::Standing);
         let mut past: Vec<NodeId> = self.walkers(agent);
         past.extend(stands.then_some(agent));
-        let whole = vec![drive.open; self.world.parts(drive.id).all().len()];
-        self.heed_passers(agent, &Leaf::new(&self.world, drive.id, &whole, now))?;
         let planned = self.world.parts(drive.id).plan(drive.open, &past);
         let ends = planned.map_err(|e| self.cannot(agent, e.into()))?.filter(|_| !drive.pushes);
+        // It moves from now on: only by then those who walk into it are told.
+        let whole = vec![drive.open; self.world.parts(drive.id).all().len()];
+        self.heed_passers(agent, &Leaf::new(&self.world, drive.id, &whole, now))?;
         let Some(ends) = ends else { return self.push(agent, &drive, false) };
         let leaf = Leaf::new(&self.world, drive.id, &ends, self.after_walkers(agent, drive.id, drive.open));
         if let Some(schedule) = self.clock.running.get_mut(&agent) {
@@ -292,7 +300,7 @@ impl Environment {
             self.look_anew();
         }
         if let Track::Way(way) = &track {
-            self.leave_doors(way);
+            self.leave_doors(agent, way);
         }
         if true_now && self.goes_after(agent)? {
             return Ok(());
@@ -417,7 +425,10 @@ impl Environment {
             (0..).zip(parts).for_each(|(part, now)| drop(self.world.put_open(drive.id, Some(part), now.open)));
         }
         match &schedule.track {
-            Track::Way(way) => self.leave_doors(way),
+            Track::Way(way) => {
+                way.aside.iter().for_each(|step| self.step_to(step.agent, step.feet(now)));
+                self.leave_doors(agent, way);
+            }
             Track::Leaf(leaf) => {
                 // The part is there, and nothing is in its way.
                 leaf.open(now)
@@ -438,16 +449,5 @@ impl Environment {
         // An action whose effects have come true has been done, however its motions end.
         let done = schedule.truth.is_some() && matches!(error, ActionError::Interrupted { .. });
         self.end(agent, schedule.action, if done { Ok(()) } else { Err(error) });
-    }
-
-    /// Doors that were passed are as open as they are by themselves.
-    fn leave_doors(&mut self, way: &track::Way) {
-        for passage in &way.doors {
-            let now = self.world.parts(passage.door).openness();
-            if now.is_some_and(|now| (now - passage.own).abs() > 1e-3) {
-                // The door was moved in passing.
-                let _ = self.world.put_open(passage.door, None, passage.own);
-            }
-        }
     }
 }

@@ -3,14 +3,16 @@
 //! An action is a [schedule](schedule) of motions with an event at the end of each. Feet, and doors that hands move,
 //! are [functions of the tick](track) between two events. The world is touched in *live* ticks only: those in which an
 //! action begins, an event is due, or a body is awake. Whether one steps by single ticks or by thousands, the same
-//! live ticks are visited. [`act`] does actions to their end, [`conflict`] is about agents in each other's way, [`rest`]
-//! about the end of an action, [`show`] about the tick as it is seen, [`processes`] about machines and matter, [`save`]
+//! live ticks are visited. [`act`] does actions to their end, [`conflict`] is about agents in each other's way,
+//! [`passing`] about ways past others and [`aside`] about making way, [`rest`] about the end of an action, [`show`] about the tick as it is seen, [`processes`] about machines and matter, [`save`]
 //! about the clock as text.
 
 mod act;
+mod aside;
 mod conflict;
 mod ending;
 mod events;
+mod passing;
 mod processes;
 mod rest;
 mod save;
@@ -22,7 +24,7 @@ use std::collections::BTreeMap;
 
 use vc_graph::clock::{Running, Span, Tick};
 use vc_graph::{Action, ChangeSet, Event, Label, NodeId, SceneGraph};
-use vc_physics::{Hand, PhysicsWorld, RestProgress};
+use vc_physics::{PhysicsWorld, RestProgress};
 
 use super::control::Controls;
 use super::{ActionError, Environment, PhysicalRefusal};
@@ -239,6 +241,8 @@ impl Environment {
         let given = std::mem::take(&mut self.clock.given);
         if !due.is_empty() || !given.is_empty() {
             self.put_feet(&due);
+            self.put_passed_doors();
+            self.put_aside();
         }
         due.into_iter().for_each(|agent| self.fire(agent));
         if !given.is_empty() {
@@ -280,16 +284,6 @@ impl Environment {
                 let _ = self.world.teleport(*agent, feet);
             }
         }
-    }
-
-    /// Things in an agent's hands, and what its action is about.
-    fn involved(&self, agent: NodeId) -> Vec<NodeId> {
-        let held = Hand::BOTH.into_iter().filter_map(|hand| self.world.held(agent, hand));
-        let about = self.clock.running.get(&agent).into_iter().flat_map(|schedule| schedule.action.things());
-        let mut all: Vec<NodeId> = held.chain(about).chain([agent]).collect();
-        all.sort_unstable();
-        all.dedup();
-        all
     }
 
     fn end(&mut self, agent: NodeId, action: Action, outcome: Result<(), ActionError>) {

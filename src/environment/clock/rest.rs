@@ -1,7 +1,7 @@
 //! The ends of actions: what they moved rests, is read, and is compared with the rule.
 
 use vc_graph::{Action, Effect, NodeId, Pose, SceneGraph, State, rule};
-use vc_physics::BodyRole;
+use vc_physics::{BodyRole, Hand};
 
 use super::schedule::{NEVER, Phase};
 use super::track::Track;
@@ -33,6 +33,16 @@ impl Environment {
                 schedule.until = now;
             }
         }
+    }
+
+    /// Things in an agent's hands, and what its action is about.
+    fn involved(&self, agent: NodeId) -> Vec<NodeId> {
+        let held = Hand::BOTH.into_iter().filter_map(|hand| self.world.held(agent, hand));
+        let about = self.clock.running.get(&agent).into_iter().flat_map(|schedule| schedule.action.things());
+        let mut all: Vec<NodeId> = held.chain(about).chain([agent]).collect();
+        all.sort_unstable();
+        all.dedup();
+        all
     }
 
     /// Reads what has moved into the graph; tells of a thing that has fallen out of the home.

@@ -42,6 +42,8 @@ pub(super) struct Schedule {
     pub(super) truth: Option<Truth>,
     /// How often it has gone after somebody who walked on.
     pub(super) chases: u32,
+    /// Since when it waits for those who stand in its way.
+    pub(super) waits: Option<Tick>,
     /// A thing that does not stay where it was put, and is held still.
     pub(super) balanced: Option<NodeId>,
 }
@@ -60,6 +62,8 @@ pub(super) enum Phase {
     Pushes(u32, bool),
     /// After its event: the hand comes back, the body settles.
     Back,
+    /// Waits for those who stand in the way.
+    Waits,
     /// Waits until what was moved rests.
     Rests,
     /// All is done; waits until what was moved rests.
@@ -87,7 +91,7 @@ impl Schedule {
         let (motions, motion, phase) = (VecDeque::new(), None, Phase::Back);
         let (begin, track, until) = (Tick::default(), Track::Still, Tick::default());
         let (done, picked, settling) = (None, None, None);
-        let (truth, balanced, pushes, chases) = (None, None, false, 0);
+        let (truth, waits, balanced, pushes, chases) = (None, None, None, false, 0);
         Self {
             tasks,
             action,
@@ -103,6 +107,7 @@ impl Schedule {
             until,
             truth,
             chases,
+            waits,
             balanced,
         }
     }

@@ -39,6 +39,14 @@ pub(super) enum Track {
 }
 
 impl Track {
+    /// The way, if feet follow one.
+    pub(super) fn way(&self) -> Option<&Way> {
+        match self {
+            Self::Way(way) => Some(way),
+            _ => None,
+        }
+    }
+
     /// Where the feet are, if they move.
     pub(super) fn feet(&self, at: Tick) -> Option<Pose> {
         match self {
@@ -81,6 +89,33 @@ pub(super) struct Way {
     pub(super) from: Pose,
     pub(super) to: Pose,
     pub(super) doors: Vec<Passage>,
+    /// Those who make way for the walker.
+    pub(super) aside: Vec<Sidestep>,
+}
+
+/// Somebody who stands, and makes way for a walker: the way aside, and the way back when the walk has ended.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(super) struct Sidestep {
+    pub(super) agent: NodeId,
+    out: Way,
+    back: Way,
+}
+
+impl Sidestep {
+    pub(super) fn new(agent: NodeId, out: Way, until: Tick) -> Self {
+        let points = out.points.iter().rev().copied().collect();
+        let back = Way { points, begin: until, from: out.to, to: out.from, ..out.clone() };
+        Self { agent, out, back }
+    }
+
+    pub(super) fn feet(&self, at: Tick) -> Pose {
+        self.now(at).feet(at)
+    }
+
+    /// The way that is gone in a tick.
+    pub(super) fn now(&self, at: Tick) -> &Way {
+        if at < self.back.begin { &self.out } else { &self.back }
+    }
 }
 
 /// A door that a walker opens and shuts in passing.
@@ -113,8 +148,14 @@ impl Way {
         Turn { from, to: self.to, begin: self.arrival() }
     }
 
-    /// The tick at which the walker stands, and the doors behind are shut.
+    /// The tick at which the walker stands, the doors behind are shut, and whoever has made way is back.
     pub(super) fn end(&self) -> Tick {
+        let back = self.aside.iter().map(|step| step.back.end()).max().unwrap_or_default();
+        self.stands().max(back)
+    }
+
+    /// The tick at which the walker stands, and the doors behind are shut.
+    fn stands(&self) -> Tick {
         self.doors.iter().map(|passage| passage.ticks(self)[3]).fold(self.last_turn().end(), Tick::max)
     }
 

@@ -25,7 +25,9 @@ impl Bodies<'_> {
     pub(in crate::environment) fn perform(&mut self, motion: &BodyMotion) -> Done {
         let agent = self.agent;
         match motion {
-            BodyMotion::Walk { feet, .. } | BodyMotion::GetUp(feet) => self.world.teleport(agent, *feet)?,
+            BodyMotion::Walk { feet, .. } | BodyMotion::StepAside { feet, .. } | BodyMotion::GetUp(feet) => {
+                self.world.teleport(agent, *feet)?;
+            }
             BodyMotion::Turn(feet) => self.world.turn(agent, feet.rotation)?,
             BodyMotion::Take(hand, id, side) => {
                 let load = load_of(self.before, *id);

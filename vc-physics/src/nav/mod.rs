@@ -199,27 +199,35 @@ impl Floor {
         self.corners(from, to).map(|(points, length)| self.with_doors(points, length))
     }
 
+    /// As [`route`](Self::route), but outside some circles of the floor, middles and radii in metres: people who stand
+    /// there. The floor is cut up anew for that, which costs about a millisecond.
+    ///
+    /// ```
+    /// use nalgebra::Point2;
+    /// use vc_physics::{Floor, FloorOptions};
+    /// let corner = |x: f32, y: f32| Point2::new(x, y);
+    /// let room = vec![corner(0.0, 0.0), corner(4.0, 0.0), corner(4.0, 3.0), corner(0.0, 3.0)];
+    /// let floor = Floor::from_outlines(&[room], &[], FloorOptions::default());
+    /// let (from, to, middle) = (corner(1.0, 1.5), corner(3.0, 1.5), corner(2.0, 1.5));
+    /// let round = floor.route_around(from, to, &[(middle, 0.5)]).ok_or("no way")?;
+    /// assert!(round.length > 2.1 && round.points.iter().all(|p| (p - middle).norm() > 0.45));
+    /// assert!(floor.route_around(from, to, &[(middle, 1.6)]).is_none());
+    /// # Ok::<(), &str>(())
+    /// ```
+    pub fn route_around(&self, from: Point2<f32>, to: Point2<f32>, circles: &[(Point2<f32>, f32)]) -> Option<Route> {
+        let mut raster = self.raster.clone()?;
+        circles.iter().for_each(|(middle, radius)| raster.paint(&[*middle], *radius, false));
+        let (points, length) = corners(&raster, &Bands::new(raster.cells()), from, to)?;
+        Some(self.with_doors(points, length))
+    }
+
     fn with_doors(&self, points: Vec<Point2<f32>>, length: f32) -> Route {
         let doors = self.doors_on(&points);
         Route { points, length, doors }
     }
 
     fn corners(&self, from: Point2<f32>, to: Point2<f32>) -> Option<(Vec<Point2<f32>>, f32)> {
-        let raster = self.raster.as_ref()?;
-        let (start, goal) = (raster.nearest(&from, SNAP)?, raster.nearest(&to, SNAP)?);
-        let (corners, length) = shortest(&self.bands, raster.in_cells(&start), raster.in_cells(&goal))?;
-        let mut points: Vec<Point2<f32>> = corners.into_iter().map(|c| raster.point(c)).collect();
-        if let Some(first) = points.first_mut() {
-            *first = start;
-        }
-        if let Some(last) = points.last_mut() {
-            *last = goal;
-        }
-        if start != from {
-            points.insert(0, from);
-        }
-        let length = (length * f64::from(raster.cell())) as f32 + (start - from).norm();
-        Some((points, length))
+        corners(self.raster.as_ref()?, &self.bands, from, to)
     }
 
     /// The doors that have to be opened or closed on a path, in order.
@@ -239,4 +247,22 @@ impl Floor {
         found.dedup();
         found
     }
+}
+
+/// The corners of the shortest path over free cells, and its length, metres.
+fn corners(raster: &Raster, bands: &Bands, from: Point2<f32>, to: Point2<f32>) -> Option<(Vec<Point2<f32>>, f32)> {
+    let (start, goal) = (raster.nearest(&from, SNAP)?, raster.nearest(&to, SNAP)?);
+    let (corners, length) = shortest(bands, raster.in_cells(&start), raster.in_cells(&goal))?;
+    let mut points: Vec<Point2<f32>> = corners.into_iter().map(|c| raster.point(c)).collect();
+    if let Some(first) = points.first_mut() {
+        *first = start;
+    }
+    if let Some(last) = points.last_mut() {
+        *last = goal;
+    }
+    if start != from {
+        points.insert(0, from);
+    }
+    let length = (length * f64::from(raster.cell())) as f32 + (start - from).norm();
+    Some((points, length))
 }

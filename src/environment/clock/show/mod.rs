@@ -85,6 +85,11 @@ impl Environment {
                     let widest = doors.entry(door).or_insert(open);
                     *widest = widest.max(open);
                 }
+                for step in &way.aside {
+                    // It stood there before.
+                    let _ = self.world.teleport(step.agent, step.feet(now));
+                    self.clock.changed.push(step.agent);
+                }
             }
             Track::Turn(_) | Track::Still => {}
         }
@@ -93,6 +98,7 @@ impl Environment {
     /// Shows what the body of an agent does, and moves what its hands hold. `before` is the environment itself.
     fn show_body(&mut self, before: &Self, agent: NodeId, schedule: &Schedule) {
         if let Track::Way(way) = &schedule.track {
+            way.aside.iter().for_each(|step| self.show_walking(before, step.agent, step.now(self.tick())));
             return self.show_walking(before, agent, way);
         }
         let since = (self.tick() - schedule.begin).seconds() as f32;
@@ -104,7 +110,7 @@ impl Environment {
             Phase::Out => since,
             Phase::Back => OUT + since,
             Phase::Leaf | Phase::Pushes(..) => OUT,
-            Phase::Rests | Phase::Ends => return,
+            Phase::Waits | Phase::Rests | Phase::Ends => return,
         };
         let mut figure = Figure { agent, time, at: None, rest: None, out: schedule.picked };
         match motion {
