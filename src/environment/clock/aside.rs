@@ -49,11 +49,16 @@ impl Environment {
             return None;
         }
         let met = self.in_the_way(agent, &self.straight(agent, walk), NARROW);
-        let idle = |other: &NodeId| self.current_action(*other).is_none() && self.controlled(*other).is_none();
-        met.first().copied().filter(|other| met.len() == 1 && idle(other))
+        met.first().copied().filter(|other| met.len() == 1 && self.is_idle(*other))
     }
 
-    /// The way of a walk past somebody who steps to a spot first.
+    /// Whether an agent has nothing to do, and makes way for nobody yet.
+    fn is_idle(&self, agent: NodeId) -> bool {
+        let makes_way = self.ways(agent).flat_map(|(_, way)| &way.aside).any(|step| step.agent == agent);
+        self.current_action(agent).is_none() && self.controlled(agent).is_none() && !makes_way
+    }
+
+    /// The way of a walk past somebody who steps to a spot first, through no door.
     fn way_beside(
         &self,
         (agent, walk): (NodeId, Walk<'_>),
@@ -63,13 +68,13 @@ impl Environment {
     ) -> Option<Way> {
         let past = self.route_past(agent, spot(&walk.feet), &[rest, &[aside]].concat(), least)?;
         let from = spot(&self.world.pose(agent)?);
-        let Route { points, doors, .. } = self.route_past(other, aside, &[rest, &[from]].concat(), SQUEEZED)?;
+        let step = self.route_past(other, aside, &[rest, &[from]].concat(), SQUEEZED)?;
         let feet = at(&self.world.pose(other)?, &aside);
-        let out = self.straight(other, Walk { points: &points, doors: &doors, feet, run: false });
+        let out = self.straight(other, Walk { points: &step.points, doors: &[], feet, run: false });
         let mut way = self.straight(agent, Walk { points: &past.points, doors: &past.doors, ..walk });
         way.begin = out.end();
         way.aside.push(Sidestep::new(other, out, way.end()));
-        self.is_clear(agent, &way, least).then_some(way)
+        (step.doors.is_empty() && self.is_clear(agent, &way, least)).then_some(way)
     }
 
     /// Free spots around an agent, the nearest first.

@@ -102,6 +102,7 @@ impl Environment {
         routes.iter().map(|r| self.straight(agent, Walk { points: &r.points, doors: &r.doors, ..walk })).collect()
     }
 
+    /// A route to a point at a distance from others.
     pub(super) fn route_past(
         &self,
         agent: NodeId,
@@ -127,16 +128,19 @@ impl Environment {
         None
     }
 
+    /// Whether a way meets nobody, and no leaf.
     pub(super) fn is_clear(&self, agent: NodeId, way: &Way, least: f32) -> bool {
         self.ways(agent).all(|(_, theirs)| is_apart(way, theirs, least))
             && self.in_the_way(agent, way, least).is_empty()
-            && {
-                let open = |leaf: &Leaf| match way.in_doorway(leaf.id) {
-                    Some((from, _)) => from > leaf.end(),
-                    None => way.begin > leaf.end() || !self.meets(agent, way, leaf.id, leaf.openness(), self.tick()),
-                };
-                self.leaves(agent).all(open)
-            }
+            && self.leaves(agent).all(|leaf| self.is_past(agent, way, leaf))
+    }
+
+    /// Whether a way meets a leaf that somebody moves only when that has stopped, if at all.
+    fn is_past(&self, agent: NodeId, way: &Way, leaf: &Leaf) -> bool {
+        match way.in_doorway(leaf.id) {
+            Some((from, _)) => from > leaf.end(),
+            None => way.begin > leaf.end() || !self.meets(agent, way, leaf.id, leaf.openness(), self.tick()),
+        }
     }
 
     /// Others who stand, and where.
@@ -185,7 +189,11 @@ impl Environment {
     }
 
     fn blockers(&self, agent: NodeId, walk: Walk<'_>) -> Vec<Label> {
-        let by = self.in_the_way(agent, &self.straight(agent, walk), NARROW);
+        let mut by = self.in_the_way(agent, &self.straight(agent, walk), NARROW);
+        if by.is_empty() {
+            // They are in the way of all ways round.
+            by = self.standers(agent).into_iter().map(|(id, _)| id).collect();
+        }
         by.into_iter().map(|id| self.graph.label(id)).collect()
     }
 }

@@ -67,6 +67,11 @@ const CASES: &[(&str, Case)] = &[
         act(&mut home, a, Verb::Open, &[fridge]);
         (home, vec![(a, Action::put_in(apple, fridge)), (b, Action::walk(table))])
     }),
+    ("one makes way for another, who walks to the fridge", || {
+        let home = home(42, 2);
+        let (a, fridge) = (home.agents()[0], first(&home, "fridge"));
+        (home, vec![(a, Action::walk(fridge))])
+    }),
     ("a hat is taken off", || {
         let mut home = home(42, 1);
         let (me, table) = (home.agents()[0], first(&home, "coffee_table"));
