@@ -40,9 +40,9 @@ fn run(home: &Environment, orders: &[(Span, NodeId, Action)], step: Span) -> (En
 /// The outcome of some orders, which is the same however time is divided and in which order they are given.
 fn outcome(home: &Environment, orders: &[(Span, NodeId, Action)]) -> (Environment, Vec<Ending>) {
     let (end, endings) = run(home, orders, LONG);
-    for step in [1, 7] {
-        let reversed: Vec<_> = orders.iter().rev().copied().collect();
-        let (other, told) = run(home, &reversed, Span(step));
+    let reversed: Vec<_> = orders.iter().rev().copied().collect();
+    for (step, given) in [(1, &reversed[..]), (7, orders), (LONG.0, &reversed[..])] {
+        let (other, told) = run(home, given, Span(step));
         assert_eq!(told, endings, "in steps of {step}");
         assert!(other.digest() == end.digest(), "in steps of {step} the homes differ");
         assert!(other.save().unwrap() == end.save().unwrap(), "in steps of {step} the bodies differ");
@@ -94,6 +94,34 @@ fn walkers_are_followed() {
         let feet = |agent| end.world().pose(agent).unwrap().translation.vector.xy();
         assert!(!there || endings[0].agent == a || (feet(a) - feet(b)).norm() < 2.0);
     }
+}
+
+/// Whoever is fled from goes after them a few times, and then gives up, and is told so.
+#[test]
+fn whoever_is_fled_from_gives_up() {
+    let gave_up = (40..60).any(|seed| {
+        let mut home = home(seed, 2);
+        let (a, b) = (home.agents()[0], home.agents()[1]);
+        let rooms = home.graph().rooms().to_vec();
+        let feet = |home: &Environment, agent| home.world().pose(agent).unwrap().translation.vector;
+        home.give(a, Action::walk(b));
+        while home.tick() < Tick(0) + Span(2 * LONG.0) {
+            if home.current_action(b).is_none() {
+                let (from, middle) = (feet(&home, a), |room| home.graph().node(room).and_then(|n| n.position()));
+                let far = |room: &&NodeId| middle(**room).map_or(0.0, |at| (at.coords - from).norm());
+                let away = *rooms.iter().max_by(|x, y| far(x).total_cmp(&far(y))).unwrap();
+                home.give(b, Action::one(Verb::Run, away));
+            }
+            if let Some(ending) = home.step(Span(5)).into_iter().find(|ending| ending.agent == a) {
+                let gone =
+                    interruption(&ending).is_some_and(|why| matches!(why, Interruption::WalksAway(who) if who.id == b));
+                assert!(gone || ending.outcome.is_ok(), "{ending:?}");
+                return gone;
+            }
+        }
+        false
+    });
+    assert!(gave_up);
 }
 
 /// A thing in a pot stays in it while somebody carries the pot, whatever others do meanwhile.

@@ -1,4 +1,4 @@
-//! Agents in each other's way: twenty cases, with their outcomes and ticks.
+//! Agents in each other's way: cases with their outcomes and ticks.
 
 use virtualcity::graph::clock::Span;
 use virtualcity::graph::{Action, NodeId, Place, Property, Relation, State, Verb, rule};
@@ -87,6 +87,22 @@ fn door(
     None
 }
 
+/// A cup on a table: `b` pours water into it, and `a` lifts it meanwhile.
+fn pours(home: &mut Environment, [a, b]: [NodeId; 2]) -> Option<Vec<(Span, NodeId, Action)>> {
+    let table = both_near(home, |home, id| {
+        home.graph().node(id).is_some_and(|n| n.affords(Property::Surface) && n.class().ends_with("table"))
+    })?;
+    let place = Place { relation: Relation::On, at: table };
+    let (bottle, cup) = (home.spawn("bottled_water", place).ok()?, home.spawn("cup", place).ok()?);
+    does(home, b, Action::walk(bottle))?;
+    does(home, b, Action::grab(bottle))?;
+    does(home, a, Action::walk(cup))?;
+    does(home, b, Action::walk(cup))?;
+    let pour = Action::two(Verb::Pour, bottle, cup);
+    let allowed = rule::refusals(home.graph(), b, &pour).is_empty();
+    allowed.then(|| vec![now(b, pour), (Span(10), a, Action::grab(cup))])
+}
+
 /// Agents in each other's way, with the second's delay in ticks where it matters.
 const CONTESTED: &[(&str, Case)] = &[
     ("both grab one thing", |home, [a, b]| {
@@ -148,20 +164,7 @@ const CONTESTED: &[(&str, Case)] = &[
     ("a shuts a door while b is in the doorway", |home, agents| {
         door(home, agents, |why| matches!(why, Interruption::InDoorway { .. }))
     }),
-    ("a lifts a cup while b pours into it", |home, [a, b]| {
-        let table = both_near(home, |home, id| {
-            home.graph().node(id).is_some_and(|n| n.affords(Property::Surface) && n.class().ends_with("table"))
-        })?;
-        let place = Place { relation: Relation::On, at: table };
-        let (bottle, cup) = (home.spawn("bottled_water", place).ok()?, home.spawn("cup", place).ok()?);
-        does(home, b, Action::walk(bottle))?;
-        does(home, b, Action::grab(bottle))?;
-        does(home, a, Action::walk(cup))?;
-        does(home, b, Action::walk(cup))?;
-        let pour = Action::two(Verb::Pour, bottle, cup);
-        let allowed = rule::refusals(home.graph(), b, &pour).is_empty();
-        allowed.then(|| vec![now(b, pour), (Span(10), a, Action::grab(cup))])
-    }),
+    ("a lifts a cup while b pours into it", pours),
     ("both press one switch", |home, agents| {
         let lamp = lamp(home, State::Off)?;
         Some(agents.map(|agent| now(agent, Action::one(Verb::SwitchOn, lamp))).to_vec())
@@ -204,6 +207,9 @@ const CONTESTED: &[(&str, Case)] = &[
     }),
 ];
 
+/// Cases in which actions take the time that they take by default.
+const IN_REAL_TIME: &[(&str, Case)] = &[("a lifts a cup while b pours into it, which takes its time", pours)];
+
 /// Whether what an action that was not done was told holds in a home.
 fn is_true(home: &Environment, ending: &Ending) -> bool {
     let graph = home.graph();
@@ -214,6 +220,7 @@ fn is_true(home: &Environment, ending: &Ending) -> bool {
             Interruption::Taken { thing, by } => graph.holder(thing.id).is_some_and(|place| place.at == by.id),
             Interruption::Shut { door, by } => home.current_action(by.id).is_some_and(|a| a.object == Some(door.id)),
             Interruption::InDoorway { by, .. } => home.current_action(by.id).is_some(),
+            Interruption::WalksAway(other) => !graph.near(ending.agent, other.id),
             Interruption::Replaced(action) => home.current_action(ending.agent) == Some(action),
             _ => false,
         },
@@ -236,30 +243,46 @@ fn tells_the_truth(home: &Environment, orders: &[(Span, NodeId, Action)], name: 
     }
 }
 
-/// Contested cases: their outcome and its tick are the same in single ticks and at once, and in any order.
+/// A case in the first home that has one.
+fn line((name, case): &(&str, Case), home: impl Fn(u64) -> Environment) -> String {
+    let found = [42, 8, 5, 9].into_iter().find_map(|seed| {
+        let mut home = home(seed);
+        let agents = [home.agents()[0], home.agents()[1]];
+        let orders = case(&mut home, agents)?;
+        Some((home, agents, orders))
+    });
+    let (home, agents, orders) = found.unwrap_or_else(|| panic!("no home for: {name}"));
+    let begin = home.tick();
+    let (_, endings) = outcome(&home, &orders);
+    tells_the_truth(&home, &orders, name);
+    let told = endings.iter().map(|e| {
+        let who = if e.agent == agents[0] { "a" } else { "b" };
+        let how = e.outcome.as_ref().map_or_else(ToString::to_string, |_| "done".into());
+        format!("{who} {} {how}", (e.tick - begin).0)
+    });
+    format!("{name}: {}\n", told.collect::<Vec<_>>().join(", "))
+}
+
+/// Contested cases: their outcome and its tick are the same in single ticks and at once, in any order, and in any thread.
 #[test]
 fn contested_cases_end_as_they_did() {
-    let mut table = String::from("# case: agent tick after the begin outcome, ...\n");
-    for (name, case) in CONTESTED {
-        let found = [42, 8, 5, 9].into_iter().find_map(|seed| {
-            let mut home = home(seed, 2);
-            let agents = [home.agents()[0], home.agents()[1]];
-            let orders = case(&mut home, agents)?;
-            Some((home, agents, orders))
-        });
-        let (home, agents, orders) = found.unwrap_or_else(|| panic!("no home for: {name}"));
-        let begin = home.tick();
-        let (_, endings) = outcome(&home, &orders);
-        tells_the_truth(&home, &orders, name);
-        let told = endings.iter().map(|e| {
-            let who = if e.agent == agents[0] { "a" } else { "b" };
-            let how = e.outcome.as_ref().map_or_else(ToString::to_string, |_| "done".into());
-            format!("{who} {} {how}", (e.tick - begin).0)
-        });
-        table += &format!("{name}: {}\n", told.collect::<Vec<_>>().join(", "));
-    }
+    let timed = |seed| Environment::builder(format!("apartment/{seed}")).agents(2).make().unwrap();
+    let share = |worker: usize| {
+        let mut lines: Vec<(usize, String)> = Vec::new();
+        for (index, case) in CONTESTED.iter().chain(IN_REAL_TIME).enumerate().filter(|(index, _)| index % 3 == worker) {
+            let plain = index < CONTESTED.len();
+            lines.push((index, if plain { line(case, |seed| home(seed, 2)) } else { line(case, timed) }));
+        }
+        lines
+    };
+    let mut lines: Vec<(usize, String)> = std::thread::scope(|scope| {
+        let workers = [0, 1, 2].map(|worker| scope.spawn(move || share(worker)));
+        workers.into_iter().flat_map(|worker| worker.join().unwrap()).collect()
+    });
+    lines.sort();
+    let table: String = lines.into_iter().map(|(_, line)| line).collect();
     vc_testkit::golden::same_lines(
         &std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/contested.txt"),
-        &table,
+        &format!("# case: agent tick after the begin outcome, ...\n{table}"),
     );
 }
