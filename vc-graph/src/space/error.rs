@@ -1,7 +1,8 @@
 //! Errors of spaces and of crossings.
 
 use super::{PortalId, RegionId};
-use crate::{ChangeMismatch, Label, NodeId};
+use crate::format::FormatError;
+use crate::{Digest, Label, NodeId};
 
 /// An error in the plan of a [`Space`](super::Space), or in a scene that is given for a region.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -51,13 +52,15 @@ pub enum SpaceError {
     /// The region is active already.
     #[error("{0} is active already")]
     Active(RegionId),
-    /// The scene that was made for a dormant region is not the one from which its changes were recorded.
-    #[error("{region} was made otherwise when it was left: {mismatch}")]
+    /// The scene that was made for a region is not the one from which its changes were recorded.
+    #[error("{region} is made otherwise than before: its scene had digest {before}, and has {now}")]
     MadeOtherwise {
         /// The region.
         region: RegionId,
-        /// The first change that does not fit.
-        mismatch: Box<ChangeMismatch>,
+        /// The digest of the scene as it was made before.
+        before: Digest,
+        /// The digest of the scene that was given.
+        now: Digest,
     },
 }
 
@@ -114,4 +117,33 @@ pub enum PassError {
         /// The reason.
         error: crate::asset::AssetError,
     },
+}
+
+/// An error in the text of a saved world.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum WorldFileError {
+    /// It is no JSON of this format.
+    #[error("this is no saved world: {0}")]
+    Json(String),
+    /// It was written by another version of the format.
+    #[error("the world has version {0} of its format; this program reads {1}")]
+    Version(u32, u32),
+    /// It belongs to another plan.
+    #[error("the world belongs to another plan, with digest {saved}; this one has {here}")]
+    OtherPlan {
+        /// The digest of the plan with which it was saved.
+        saved: Digest,
+        /// The digest of the plan that was given.
+        here: Digest,
+    },
+    /// It names a region without a scene.
+    #[error("the world names {0}, which has no scene in the plan")]
+    NoSuchRegion(RegionId),
+    /// Changes or shapes cannot be read.
+    #[error(transparent)]
+    Format(#[from] FormatError),
+    /// A region cannot be made active.
+    #[error(transparent)]
+    Space(#[from] SpaceError),
 }

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::{NumberBlock, PortalId, PortalState, RegionId, Space, SpaceError};
-use crate::{Action, AssetLibrary, ChangeSet, Edit, Label, Node, NodeId, Refusal, SceneGraph, State, rule};
+use crate::{Action, AssetLibrary, ChangeSet, Digest, Edit, Label, Node, NodeId, Refusal, SceneGraph, State, rule};
 
 /// The numbers that a region whose block is full gets at a time.
 const SLICE: u32 = 4096;
@@ -23,11 +23,11 @@ const SPARE: u32 = 256;
 pub struct RegionGraphs {
     space: Arc<Space>,
     pub(super) active: BTreeMap<RegionId, Active>,
-    dormant: Arc<BTreeMap<RegionId, Dormant>>,
+    pub(super) dormant: Arc<BTreeMap<RegionId, Dormant>>,
     /// The regions of nodes that are not where they were made.
     pub(super) moved: Arc<BTreeMap<NodeId, RegionId>>,
     /// The regions that go on with numbers of the overflow, by their slices.
-    slices: Arc<Vec<RegionId>>,
+    pub(super) slices: Arc<[RegionId]>,
 }
 
 /// A scene, and the same as it was made.
@@ -39,21 +39,23 @@ pub(super) struct Active {
 
 /// The record of a region that was left.
 #[derive(Debug, Clone, PartialEq)]
-struct Dormant {
-    changes: ChangeSet,
-    numbers: NumberBlock,
-    next: u32,
+pub(super) struct Dormant {
+    /// The scene as it was made.
+    pub(super) made: Digest,
+    pub(super) changes: ChangeSet,
+    pub(super) numbers: NumberBlock,
+    pub(super) next: u32,
     /// The shapes, if some came from other regions.
-    assets: Option<Arc<AssetLibrary>>,
+    pub(super) assets: Option<Arc<AssetLibrary>>,
     /// The leaves of its portals that are open.
-    open: Vec<NodeId>,
+    pub(super) open: Vec<NodeId>,
 }
 
 impl RegionGraphs {
     /// A world in which no region has been active.
     pub fn new(space: Arc<Space>) -> Self {
-        let (dormant, moved, slices) = Default::default();
-        Self { space, active: BTreeMap::new(), dormant, moved, slices }
+        let (dormant, moved) = Default::default();
+        Self { space, active: BTreeMap::new(), dormant, moved, slices: Arc::new([]) }
     }
 
     /// The plan of the world.
@@ -65,7 +67,7 @@ impl RegionGraphs {
     ///
     /// # Errors
     /// [`SpaceError::NoScene`], [`SpaceError::Active`], [`SpaceError::ForeignNumber`]; [`SpaceError::MadeOtherwise`] if the
-    /// scene is not as it was when the region was active before. Nothing has changed then.
+    /// scene is not as it was made when the region was active before. Nothing has changed then.
     pub fn insert(&mut self, region: RegionId, made: SceneGraph) -> Result<(), SpaceError> {
         let plan = self.space.region(region).filter(|plan| plan.has_scene()).ok_or(SpaceError::NoScene(region))?;
         if self.active.contains_key(&region) {
@@ -77,8 +79,11 @@ impl RegionGraphs {
         let mut graph = made.clone();
         graph.number_in(plan.numbers, plan.numbers.first);
         if let Some(dormant) = self.dormant.get(&region) {
-            let otherwise = |mismatch| SpaceError::MadeOtherwise { region, mismatch: Box::new(mismatch) };
-            dormant.changes.apply(&mut graph).map_err(otherwise)?;
+            let (before, now) = (dormant.made, made.digest());
+            let otherwise = SpaceError::MadeOtherwise { region, before, now };
+            if before != now || dormant.changes.apply(&mut graph).is_err() {
+                return Err(otherwise);
+            }
             graph.number_in(dormant.numbers, dormant.next);
             graph.assets = dormant.assets.clone().unwrap_or(graph.assets);
             Arc::make_mut(&mut self.dormant).remove(&region);
@@ -87,23 +92,31 @@ impl RegionGraphs {
         Ok(())
     }
 
-    /// Makes a region dormant: its scene goes, what has changed since it was made stays. Costs what has changed.
+    /// Makes a region dormant: its scene goes, what has changed since it was made stays. Costs what has changed, and a digest of the
+    /// scene.
     ///
     /// # Errors
     /// [`SpaceError::NoScene`] if it is not active.
     pub fn rest(&mut self, region: RegionId) -> Result<(), SpaceError> {
-        let Active { graph, made } = self.active.remove(&region).ok_or(SpaceError::NoScene(region))?;
+        let record = self.record(region).ok_or(SpaceError::NoScene(region))?;
+        self.active.remove(&region);
+        Arc::make_mut(&mut self.dormant).insert(region, record);
+        Ok(())
+    }
+
+    /// The record of an active region, as if it were left now.
+    pub(super) fn record(&self, region: RegionId) -> Option<Dormant> {
+        let Active { graph, made } = self.active.get(&region)?;
         let leaves = self.space.portals_of(region).filter_map(|portal| self.space.portal(portal)?.leaf);
         let open = leaves.filter(|leaf| graph.node(*leaf).is_some_and(|node| node.is(State::Open))).collect();
-        let dormant = Dormant {
-            changes: ChangeSet::between(&made, &graph),
+        Some(Dormant {
+            made: made.digest(),
+            changes: ChangeSet::between(made, graph),
             numbers: graph.numbers,
             next: graph.next,
-            assets: (!Arc::ptr_eq(&graph.assets, &made.assets)).then_some(graph.assets),
+            assets: (!Arc::ptr_eq(&graph.assets, &made.assets)).then(|| graph.assets.clone()),
             open,
-        };
-        Arc::make_mut(&mut self.dormant).insert(region, dormant);
-        Ok(())
+        })
     }
 
     /// The active regions, in order.
@@ -185,7 +198,7 @@ impl RegionGraphs {
             let numbers = NumberBlock { first, count: SLICE };
             if NumberBlock::OVERFLOW.has(NodeId(numbers.end() - 1)) {
                 graph.number_in(numbers, first);
-                Arc::make_mut(&mut self.slices).push(region);
+                self.slices = self.slices.iter().copied().chain([region]).collect();
             }
         }
         Some(())

@@ -54,8 +54,9 @@ mod plan;
 mod portal;
 mod region;
 mod route;
+mod save;
 
-pub use error::{PassError, SpaceError};
+pub use error::{PassError, SpaceError, WorldFileError};
 pub use frame::RegionFrame;
 pub use graphs::RegionGraphs;
 pub use numbers::NumberBlock;

@@ -70,7 +70,7 @@ impl RegionGraphs {
             entered: arrivals.into_iter().chain(links).collect(),
             nodes,
         };
-        self.write(&crossing.left, &crossing.entered, from, to).map_err(|mismatch| PassError::Taken(mismatch.node))?;
+        self.change(&crossing.left, &crossing.entered, from, to).map_err(|mismatch| PassError::Taken(mismatch.node))?;
         if let Some(active) = self.active.get_mut(&to) {
             active.graph.assets = library;
         }
@@ -83,7 +83,7 @@ impl RegionGraphs {
     /// # Errors
     /// [`ChangeMismatch`] if one of the two scenes has changed since; nothing has changed then.
     pub fn take_back(&mut self, crossing: &Crossing) -> Result<(), ChangeMismatch> {
-        self.write(&crossing.left.inverse(), &crossing.entered.inverse(), crossing.from, crossing.to)?;
+        self.change(&crossing.left.inverse(), &crossing.entered.inverse(), crossing.from, crossing.to)?;
         self.settle(&crossing.nodes, crossing.from);
         Ok(())
     }
@@ -98,7 +98,7 @@ impl RegionGraphs {
     }
 
     /// Writes the changes of two scenes, or none.
-    fn write(
+    fn change(
         &mut self,
         here: &ChangeSet,
         there: &ChangeSet,

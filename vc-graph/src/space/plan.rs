@@ -3,8 +3,9 @@
 use nalgebra::Vector3;
 
 use super::{NumberBlock, Portal, PortalId, Region, RegionId, SpaceError};
-use crate::NodeId;
 use crate::geometry::is_finite;
+use crate::hash::Digester;
+use crate::{Digest, NodeId, Word};
 
 /// The greatest distance between the two sides of a portal, metres: the thickness of a wall.
 const WALL: f64 = 0.6;
@@ -87,6 +88,28 @@ impl Space {
     /// The portals of a region, in order.
     pub fn portals_of(&self, id: RegionId) -> impl Iterator<Item = PortalId> + '_ {
         self.openings.of(id).map(PortalId)
+    }
+
+    /// A digest of the plan: of all that regions and portals say.
+    pub fn digest(&self) -> Digest {
+        let mut digester = Digester::new();
+        for region in &self.regions {
+            let numbers =
+                [region.numbers.first, region.numbers.count, region.parent.map_or(u32::MAX, |parent| parent.0)];
+            digester.text(region.kind.as_str()).text(&region.name).words(numbers.map(u64::from));
+            let origin = region.frame.origin.iter().copied();
+            digester.words(origin.chain([region.frame.heading]).map(f64::to_bits));
+        }
+        for portal in &self.portals {
+            digester.text(portal.kind.as_str()).reals([portal.width, portal.height]).word(u64::from(portal.glazed));
+            digester.word(portal.leaf.map_or(u64::MAX, |leaf| u64::from(leaf.0)));
+            for side in &portal.sides {
+                let pose = side.pose.translation.vector.iter().chain(side.pose.rotation.coords.iter()).copied();
+                digester.word(u64::from(side.region.0)).reals(pose);
+                digester.word(side.room.map_or(u64::MAX, |room| u64::from(room.0)));
+            }
+        }
+        digester.digest()
     }
 
     /// The region in whose block a node's number is. Costs a binary search.

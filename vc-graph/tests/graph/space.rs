@@ -9,9 +9,9 @@ use proptest::prelude::*;
 use vc_graph::nalgebra::{self, Isometry3, Point3, Vector3};
 use vc_graph::space::{
     NumberBlock, PassError, Portal, PortalId, PortalKind, PortalSide, Region, RegionFrame, RegionGraphs, RegionId,
-    RegionKind, Space, SpaceBuilder, SpaceError,
+    RegionKind, Space, SpaceBuilder, SpaceError, WorldFileError,
 };
-use vc_graph::{Draft, Edge, NodeId, Pose, Relation, SceneBuilder, SceneGraph, State};
+use vc_graph::{ClassTable, Draft, Edge, NodeId, Pose, Relation, SceneBuilder, SceneGraph, State};
 use vc_testkit::cases;
 use vc_testkit::edits::{make, plans};
 use vc_testkit::scenes::{scene, steps};
@@ -151,6 +151,7 @@ proptest! {
         plan in plans(12),
         order in Just([1, 2, 3]).prop_shuffle(),
         back in Just([1, 2, 3]).prop_shuffle(),
+        (cut, hole) in (any::<prop::sample::Index>(), any::<prop::sample::Index>()),
     ) {
         let (mut world, made) = world(&builds);
         let me = world.graph(RegionId(1)).unwrap().agents().last().copied().unwrap();
@@ -161,6 +162,18 @@ proptest! {
             change.commit();
         }
         let before = world.clone();
+        // Saved at this point and read, all goes on as it would have.
+        let text = before.write();
+        let scenes = |id: RegionId| made[&id].clone();
+        let read = |text: &str| RegionGraphs::read(text, before.space().clone(), &ClassTable::builtin(), scenes);
+        prop_assert!(read(&text).unwrap() == before);
+        let mut next = read(&text).unwrap();
+        let crossing = (next.pass(me, PortalId(0)), world.clone().pass(me, PortalId(0)));
+        prop_assert_eq!(crossing.0, crossing.1);
+        // A text that has been cut or changed is refused, or another world; it does no harm.
+        let (at, to) = (cut.index(text.len()), hole.index(text.len()));
+        let _ = read(&text[..at]);
+        let _ = read(&format!("{}{}", &text[..at.min(to)], &text[at.max(to)..]));
         for _ in 0..3 {
             order.iter().for_each(|id| world.rest(RegionId(*id)).unwrap());
             prop_assert_eq!(world.active().count(), 0);
@@ -362,6 +375,23 @@ fn a_door_lets_through_what_its_leaf_lets_through_also_while_its_region_is_dorma
     assert!(matches!(refused, Err(SpaceError::MadeOtherwise { region: RegionId(0), .. })));
     world.insert(RegionId(0), made).unwrap();
     assert!(!passable(&world));
+}
+
+#[test]
+fn a_saved_world_belongs_to_its_plan() {
+    let (mut world, made) = world(&[vec![], vec![], vec![]]);
+    world.rest(RegionId(2)).unwrap();
+    let text = world.write();
+    let read = |space: Space, text: &str| {
+        RegionGraphs::read(text, space.into(), &ClassTable::builtin(), |id| made[&id].clone())
+    };
+    assert!(read(row(), &text).unwrap() == world);
+    assert!(matches!(read(grid(2), &text), Err(WorldFileError::OtherPlan { .. })));
+    assert!(matches!(read(row(), "{}"), Err(WorldFileError::Json(_))));
+    let newer = text.replace("\"virtualcity_world\":1", "\"virtualcity_world\":2");
+    assert!(matches!(read(row(), &newer), Err(WorldFileError::Version(2, 1))));
+    let elsewhere = text.replace("\"active\":[1,3]", "\"active\":[1,77]");
+    assert!(matches!(read(row(), &elsewhere), Err(WorldFileError::NoSuchRegion(RegionId(77)))));
 }
 
 #[test]
