@@ -9,7 +9,9 @@ fuzz_target!(|text: &str| {
     let Ok(changes) = native::read_changes(text, &ClassTable::builtin()) else { return };
     let mut scene = SceneBuilder::new("flat");
     if let Ok(kitchen) = scene.add(Draft::new("kitchen")) {
-        ["fridge", "cup", "character"].map(|class| drop(scene.add_in(kitchen, Draft::new(class))));
+        for class in ["fridge", "cup", "character"] {
+            let _ = scene.add_in(kitchen, Draft::new(class));
+        }
     }
     let (before, mut graph) = (scene.graph().clone(), scene.build());
     if changes.apply(&mut graph).is_ok() {
