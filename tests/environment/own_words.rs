@@ -1,8 +1,12 @@
 //! Verbs, states and properties of one's own in homes with bodies: they are planned, done, saved and seen as built-in ones.
 
 use virtualcity::Environment;
+use virtualcity::graph::asset::Hold;
 use virtualcity::graph::clock::{Durations, Span};
-use virtualcity::graph::{Action, NodeId, Pose, Property, Refusal, Seed, State, Verb, Vocabulary, Word, rule};
+use virtualcity::graph::{
+    Action, Node, NodeId, Pose, Property, Refusal, Relation, Seed, State, Verb, Vocabulary, Word,
+    rule,
+};
 use virtualcity::planner::{PlannerPolicy, run_episode};
 use virtualcity::procgen::Apartment;
 use virtualcity::tasks::{Outcome, Task};
@@ -16,14 +20,14 @@ const WORDS: &str = "
     verb stow 2 | needs: carries y; fits x y; holding x; accessible y; near y | effects: put_on x y | aims: putting
 ";
 
-/// A generated home with these words, in which tables can be polished.
+/// A generated home with these words, in which tables have all own affordances.
 fn home(seed: u64, words: &str) -> Environment {
     let mut scene = Apartment::from_seed(Seed(seed)).unwrap().scene();
     scene.set_vocabulary(Vocabulary::parse("words.txt", words).unwrap());
-    let tables = scene.of_class("table");
+    let (tables, own) = (scene.of_class("table"), scene.vocabulary().own_properties().to_vec());
     let mut edit = scene.edit();
-    for table in tables {
-        edit.allow(table, Property::parse("polishable").unwrap()).unwrap();
+    for (table, property) in tables.into_iter().flat_map(|table| own.iter().map(move |own| (table, *own))) {
+        edit.allow(table, property).unwrap();
     }
     edit.commit();
     // Wiping takes no longer than it is shown.
@@ -116,6 +120,80 @@ fn own_verbs_are_shown_by_their_motion() {
     };
     let bow = shown(&home, Action::zero(Verb::parse("bow").unwrap()), cup);
     assert!(far(&polish) < 0.15 && far(&bow) > 0.3, "{} {}", far(&polish), far(&bow));
+}
+
+/// Verbs that are built-in ones by another name.
+const NAMESAKES: &str = "
+    verb stow 2 | needs: encloses y; fits x y; holding x; accessible y; accepts y; near y | effects: put_into x y | aims: putting
+    verb hurry 1 | needs: reachable x; other x; upright | effects: go_to x | aims: going | motion: run
+    verb front 1 | needs: other x | effects: face x | aims: turning | motion: look
+";
+
+/// An action with another verb.
+fn by_name(verb: &str, action: Action) -> Action {
+    Action { verb: Verb::parse(verb).unwrap(), ..action }
+}
+
+/// Does an action by its own verb and by the built-in one in copies of a home; both end in the same scene and tick.
+fn alike(home: &Environment, own: &str, action: Action) -> Result<Environment, ActionError> {
+    let (mut named, mut builtin, me) = (home.clone(), home.clone(), home.agents()[0]);
+    let done = [named.set_action(me, by_name(own, action)), builtin.set_action(me, action)];
+    assert_eq!(done[0].is_ok(), done[1].is_ok(), "{action}: {done:?}");
+    assert!(named.graph() == builtin.graph() && named.tick() == builtin.tick(), "{action}");
+    let [done, _] = done;
+    done.map(|_| named)
+}
+
+/// Slots are those of the inside for a verb that puts into things: the rule and bodies go by the effect.
+#[test]
+fn own_verbs_put_things_into_slots() {
+    let mut home = home(42, NAMESAKES);
+    won(&mut home, "Holds(cup)");
+    let (me, graph) = (home.agents()[0], home.graph().clone());
+    let cup = graph.held(me).next().unwrap();
+    let shelves = |id: NodeId| {
+        let asset = graph.node(id).and_then(|node| graph.assets().get(node.spec().asset?));
+        asset.map_or(0, |asset| asset.surfaces.iter().filter(|surface| surface.hold == Hold::Inside).count())
+    };
+    let shelved = |node: &&Node| node.affords(Property::Container) && shelves(node.id()) > 2;
+    let mut put = 0;
+    for at in graph.nodes().filter(shelved).map(Node::id) {
+        let mut home = home.clone();
+        let closed = graph.node(at).unwrap().is(State::Closed);
+        let near = home.set_action(me, Action::walk(at)).is_ok();
+        if !near || closed && home.set_action(me, Action::open(at)).is_err() {
+            continue;
+        }
+        for slot in 1..=shelves(at) as u16 + 1 {
+            let put_in = Action::put_in(cup, at).in_slot(slot);
+            let (stow, mut symbolic) = (by_name("stow", put_in), home.graph().clone());
+            let allowed = rule::step(&mut symbolic, me, &stow);
+            assert_eq!(allowed.is_ok(), rule::allows(home.graph(), me, &put_in), "{stow}: {allowed:?}");
+            if let Ok(home) = alike(&home, "stow", put_in) {
+                for graph in [&symbolic, home.graph()] {
+                    assert!(graph.related(cup, Relation::Inside).any(|id| id == at));
+                }
+                put += 1;
+            }
+        }
+    }
+    assert!(put > 3, "{put}");
+}
+
+/// Feet run for a verb with that motion, and who sits turns by no verb that turns the body.
+#[test]
+fn own_verbs_run_and_turn() {
+    let mut home = home(42, NAMESAKES);
+    let (me, sofa) = (home.agents()[0], home.graph().first_of_class("sofa").unwrap());
+    let mut walker = home.clone();
+    walker.set_action(me, Action::walk(sofa)).unwrap();
+    home = alike(&home, "hurry", Action::one(Verb::Run, sofa)).unwrap();
+    assert!(home.tick() < walker.tick(), "{:?} {:?}", home.tick(), walker.tick());
+    let yaw = |verb: &str| format!("{verb} yaw 90").parse::<Action>().unwrap();
+    alike(&home, "front", yaw("turn_to")).unwrap();
+    home.set_action(me, Action::one(Verb::Sit, sofa)).unwrap();
+    let refused = home.set_action(me, yaw("front")).unwrap_err();
+    assert!(matches!(&refused, ActionError::Refused(why) if matches!(why[..], [Refusal::NotUpright(_)])), "{refused}");
 }
 
 /// In the middle of an own action the environment is saved, restored and goes on as the first.

@@ -96,7 +96,7 @@ impl Planner<'_> {
     }
 
     /// The motion of the action's verb.
-    fn motion(&self) -> Option<Motion> {
+    pub(super) fn motion(&self) -> Option<Motion> {
         self.before.vocabulary().rule(self.action.verb).map(|rule| rule.motion)
     }
 

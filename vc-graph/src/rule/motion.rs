@@ -16,6 +16,8 @@ vocabulary! {
         Nothing = "none",
         /// Feet go there.
         Go = "go",
+        /// As `go`, running.
+        Run = "run",
         /// Eyes are on it.
         Look = "look",
         /// A hand points to it.
