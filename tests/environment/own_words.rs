@@ -4,9 +4,10 @@ use virtualcity::Environment;
 use virtualcity::graph::asset::Hold;
 use virtualcity::graph::clock::{Durations, Span};
 use virtualcity::graph::{
-    Action, Node, NodeId, Pose, Property, Refusal, Relation, Seed, State, Verb, Vocabulary, Word,
+    Action, Node, NodeId, Place, Pose, Property, Refusal, Relation, SceneGraph, Seed, State, Verb, Vocabulary, Word,
     rule,
 };
+use virtualcity::physics::Posture;
 use virtualcity::planner::{PlannerPolicy, run_episode};
 use virtualcity::procgen::Apartment;
 use virtualcity::tasks::{Outcome, Task};
@@ -194,6 +195,93 @@ fn own_verbs_run_and_turn() {
     home.set_action(me, Action::one(Verb::Sit, sofa)).unwrap();
     let refused = home.set_action(me, yaw("front")).unwrap_err();
     assert!(matches!(&refused, ActionError::Refused(why) if matches!(why[..], [Refusal::NotUpright(_)])), "{refused}");
+}
+
+/// Verbs that bring about nothing, with the motions of verbs that do.
+const SHOWN: &str = "
+    verb visit 1 | needs: upright; near x | motion: go
+    verb weigh 1 | needs: near x | motion: hold
+    verb try_out 1 | needs: upright; near x | motion: sit
+";
+
+/// The moments of an action that brings nothing about; in the end all but the agent is as before.
+fn moments(home: &mut Environment, verb: &str, thing: NodeId) -> Vec<Environment> {
+    let (me, before, mut seen) = (home.agents()[0], home.graph().clone(), Vec::new());
+    let action = Action::one(Verb::parse(verb).unwrap(), thing);
+    let mut at_once = home.clone();
+    at_once.set_action(me, action).unwrap();
+    home.set_action_in_time(me, action, Span(6), |now| seen.push(now.clone())).unwrap();
+    assert_eq!(home.digest(), at_once.digest(), "{action}");
+    let said = |graph: &SceneGraph, id: NodeId| {
+        (graph.node(id).unwrap().states(), graph.places(id).collect::<Vec<_>>(), graph.holder(id))
+    };
+    for id in before.nodes().map(Node::id) {
+        assert_eq!(said(home.graph(), id), said(&before, id), "{action}");
+    }
+    seen
+}
+
+/// Whoever goes without an effect that says so goes up to what is near.
+#[test]
+fn feet_go_up_to_what_is_near() {
+    let mut home = home(42, SHOWN);
+    let (me, fridge) = (home.agents()[0], home.graph().first_of_class("fridge").unwrap());
+    home.set_action(me, Action::walk(fridge)).unwrap();
+    let far = |home: &Environment| home.graph().distance(me, fridge).unwrap();
+    let close = far(&home);
+    // A step back.
+    let feet = home.world().pose(me).unwrap().translation.vector.xy();
+    let way = feet - home.world().aabb(fridge).unwrap().centre().xy().coords;
+    let back = home.floor().nearest((feet + 0.7 * way.normalize()).into(), 0.5).unwrap();
+    home.teleport(me, back).unwrap();
+    let before = far(&home);
+    assert!(home.graph().near(me, fridge) && before > close + 0.3, "{close} {before}");
+    let seen = moments(&mut home, "visit", fridge);
+    assert!(far(&home) < close + 0.1, "{} {close}", far(&home));
+    let on_the_way = |now: &Environment| (close + 0.15..before - 0.1).contains(&far(now));
+    assert!(seen.iter().any(on_the_way), "{:?}", seen.iter().map(far).collect::<Vec<_>>());
+}
+
+/// A thing is in the hand in the middle of the gesture, and then where it was.
+#[test]
+fn a_hand_holds_for_the_time_of_a_gesture() {
+    let mut home = home(42, SHOWN);
+    let (me, table) = (home.agents()[0], home.graph().first_of_class("coffee_table").unwrap());
+    let cup = home.spawn("cup", Place { relation: Relation::On, at: table }).unwrap();
+    home.set_action(me, Action::walk(cup)).unwrap();
+    let lay = home.world().pose(cup).unwrap();
+    let seen = moments(&mut home, "weigh", cup);
+    assert_eq!(home.world().pose(cup), Some(lay));
+    let middle = &seen[seen.len() / 2];
+    let holder = middle.world().holder(cup).map(|(by, hand)| (by, hand.relation()));
+    let said = middle.graph().holder(cup).map(|place| (place.at, place.relation));
+    assert!(holder.is_some_and(|(by, _)| by == me) && holder == said, "{holder:?} {said:?}");
+    let moved = |now: &Environment| (now.world().pose(cup).unwrap().translation.vector - lay.translation.vector).norm();
+    assert!(moved(middle) > 0.1, "{}", moved(middle));
+    assert!(moved(&seen[0]) < 1e-3 && moved(seen.last().unwrap()) < 1e-3);
+    // A table is not taken: it is touched.
+    let seen = moments(&mut home, "weigh", table);
+    assert!(seen.iter().all(|now| now.world().holder(table).is_none()));
+}
+
+/// The body sits in the middle of the gesture, and then stands where it stood.
+#[test]
+fn a_body_sits_for_the_time_of_a_gesture() {
+    let mut home = home(42, SHOWN);
+    let (me, sofa) = (home.agents()[0], home.graph().first_of_class("sofa").unwrap());
+    home.set_action(me, Action::walk(sofa)).unwrap();
+    let seen = moments(&mut home, "try_out", sofa);
+    let stood = home.world().pose(me);
+    let middle = &seen[seen.len() / 2];
+    assert!(matches!(middle.world().posture(me), Some(Posture::Sitting(on, _)) if on == sofa));
+    assert!(middle.graph().node(me).unwrap().is(State::Sitting));
+    assert_eq!(home.world().posture(me), Some(Posture::Standing));
+    assert_eq!(seen.last().unwrap().world().pose(me), stood);
+    // Nobody sits on what has no seat.
+    let table = home.graph().first_of_class("coffee_table").unwrap();
+    home.set_action(me, Action::walk(table)).unwrap();
+    let seen = moments(&mut home, "try_out", table);
+    assert!(seen.iter().all(|now| now.world().posture(me) == Some(Posture::Standing)));
 }
 
 /// In the middle of an own action the environment is saved, restored and goes on as the first.
