@@ -3,7 +3,9 @@
 use flate2::Compression;
 use flate2::write::GzEncoder;
 use virtualcity::graph::format::native;
-use virtualcity::graph::{ClassTable, Draft, NodeId, Place, Pose, Property, Relation, Seed, State, Verb, Violation};
+use virtualcity::graph::{
+    ClassTable, Draft, Node, NodeId, Place, Pose, Property, Relation, Seed, State, Verb, Violation,
+};
 use virtualcity::physics::{BodyRole, PhysicsError};
 use virtualcity::procgen::Apartment;
 use virtualcity::relations::RelationRule;
@@ -29,6 +31,29 @@ fn scenes_are_made_of_files() {
     encoder.finish().unwrap();
     let unpacked = Environment::make(&format!("scene:{}", packed.display()), 1).unwrap();
     assert_eq!(unpacked.digest(), read.digest());
+}
+
+/// A cup that hangs a centimetre and a half above a table rests on it by the tolerance of a builder that bridges this.
+#[test]
+fn tolerance_says_what_is_on_what() {
+    let mut home = home(42, 1);
+    let table = home.graph().first_of_class("coffee_table").unwrap();
+    let cup = home.spawn("cup", Place { relation: Relation::On, at: table }).unwrap();
+    let mut graph = home.graph().clone();
+    let raised = Pose::translation(0.0, 0.0, 0.015) * graph.node(cup).and_then(Node::pose).unwrap();
+    let room = graph.room_of(cup);
+    let mut edit = graph.edit();
+    edit.place_as_seen(cup, &[], room).unwrap();
+    edit.set_pose(cup, Some(raised)).unwrap();
+    edit.commit();
+    for (tolerance, expected) in [(0.02, true), (0.01, false), (0.016, true), (0.014, false)] {
+        let mut home = Environment::builder_from_scene(graph.clone()).tolerance(tolerance).make().unwrap();
+        let is_on = |home: &Environment| home.relations().supports(cup).iter().any(|support| support.by == table);
+        assert_eq!(home.world().pose(cup), Some(raised), "it hangs there");
+        assert_eq!(is_on(&home), expected, "{tolerance}");
+        home.reset(&graph).unwrap();
+        assert_eq!(is_on(&home), expected, "{tolerance} after a reset");
+    }
 }
 
 /// The builder's settings reach the parts that they are for, a reset keeps them, and senseless ones are refused.
