@@ -581,7 +581,9 @@
 //! | `sit sofa.9 seat 2` | on this seat |
 //!
 //! A thing that is put down rests within one centimetre and two degrees of the pose asked for, and so do feet; otherwise
-//! the action is refused with the reason, and nothing has changed.
+//! the action ends in an error with the reason. What the rule can tell is refused, and nothing has changed; what the
+//! planner finds out (no room, no way) leaves the agent where it has walked meanwhile; and after
+//! [`PhysicalRefusal::OffAim`](crate::PhysicalRefusal::OffAim) the thing lies where it has come to rest.
 //!
 //! ```
 //! use virtualcity::graph::{Action, Place, Relation};

@@ -97,12 +97,14 @@ pub use batch::Batch;
 pub use check::{ContractViolation, Tally, check_environment, legal_action, random_action, run};
 #[cfg(feature = "environment")]
 pub use environment::{
-    ActionError, AlterError, Assets, Control, ControlledHand, Difference, Disagreement, Displaced, Ending, Environment,
-    EnvironmentBuilder, Interruption, MakeError, NoRoom, PhysicalRefusal, ResetError, ResetReport, SaveError, Spot,
-    SpotRefusal, Steering, Unplaced, UnplacedReason,
+    ActionError, AlterError, Assets, Attempt, Control, ControlledHand, Difference, Disagreement, Displaced, Ending,
+    Environment, EnvironmentBuilder, Interruption, MakeError, NoRoom, PhysicalRefusal, ResetError, ResetReport,
+    SaveError, Spot, SpotRefusal, Steering, Unplaced, UnplacedReason,
 };
 #[cfg(all(feature = "environment", feature = "render"))]
-pub use environment::{CameraError, CameraId, Lens, Mount, NamedCamera, PictureError, PictureOptions, Viewpoint};
+pub use environment::{
+    CameraError, CameraId, JsonFault, Lens, Mount, NamedCamera, PictureError, PictureOptions, Viewpoint,
+};
 pub use files::{FileError, FileProblem, read_bytes, read_scene, read_text};
 pub use json_lines::{JsonLines, ResumableRun};
 pub use page::{Page, PageAction, PageFigure, PageFilm};

@@ -5,17 +5,17 @@ use std::fmt;
 use vc_graph::{Action, Change, ChangeSet, Effect, Label, NodeId, NodeKind, Place, Relation, SceneGraph, State, rule};
 use vc_physics::PhysicsWorld;
 
-use super::{ActionError, PhysicalRefusal};
+use super::{ActionError, Attempt, PhysicalRefusal};
 
 /// Distance below which a thing counts as not moved, metres.
 const STILL: f32 = 0.02;
 
 /// The bodies did an action, and the result is not what the transition rule predicts.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
-#[error("{action}: the bodies and the rule disagree: {}", listed(.differences))]
+#[error("{attempt}: the bodies and the rule disagree: {}", listed(.differences))]
 pub struct Disagreement {
     /// The action that was done.
-    pub action: String,
+    pub attempt: Attempt,
     /// The differences between rule and bodies.
     pub differences: Vec<Difference>,
 }
@@ -207,7 +207,7 @@ pub(super) fn unsteady(error: ActionError, balanced: Option<NodeId>) -> ActionEr
     match both.differences.iter().find(|d| Some(d.thing.id) == balanced) {
         Some(own) if both.differences.iter().all(|d| d.thing.id == own.thing.id) => {
             let why = PhysicalRefusal::Unsteady(own.thing.clone());
-            ActionError::Impossible { action: both.action, why }
+            ActionError::Impossible { attempt: both.attempt, why }
         }
         _ => ActionError::Disagreement(both),
     }

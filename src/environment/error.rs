@@ -7,7 +7,7 @@ use vc_physics::{AgentError, PhysicsError, SnapshotError};
 use vc_procgen::dress::DressError;
 use vc_relations::InputError;
 
-use super::{Disagreement, Interruption};
+use super::{Attempt, Disagreement, Interruption};
 
 /// Why there is no environment.
 #[derive(Debug, thiserror::Error)]
@@ -79,12 +79,22 @@ pub enum MakeError {
     Camera(#[from] crate::CameraError),
     /// There cannot be so many threads.
     #[cfg(feature = "render")]
-    #[error("pictures cannot be made on {threads} threads: {why}")]
+    #[error("pictures cannot be made on {threads} threads: ask for 1 to {most}")]
     Threads {
         /// How many were asked for.
         threads: usize,
-        /// Why not.
-        why: String,
+        /// The greatest number of them.
+        most: usize,
+    },
+    /// The threads cannot be started.
+    #[cfg(feature = "render")]
+    #[error("pictures cannot be made on {threads} threads: {why}")]
+    ThreadPool {
+        /// How many were asked for.
+        threads: usize,
+        /// The reason of the thread pool.
+        #[source]
+        why: rayon::ThreadPoolBuildError,
     },
 }
 
@@ -122,8 +132,9 @@ fn agents(labels: &[Label]) -> String {
     if labels.is_empty() { "no agents".to_owned() } else { format!("the agents {}", in_a_row(labels)) }
 }
 
-/// Why an action was not done. An action at once has changed nothing then; one that takes its time
-/// ([`Environment::step`](crate::Environment::step)) leaves the world as it is in that tick, unless the rule refused it.
+/// Why an action was not done. After [`Refused`](Self::Refused), [`Busy`](Self::Busy), [`Twice`](Self::Twice) and
+/// [`NoEnvironment`](Self::NoEnvironment) nothing has changed. After another error the world is as it was when the action
+/// could not go on, at once or in time: the agent may have walked, and a thing may have been put.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum ActionError {
@@ -131,11 +142,12 @@ pub enum ActionError {
     #[error("refused: {}", listed(.0))]
     Refused(Vec<Refusal>),
     /// The rule allows it, the bodies cannot do it.
-    #[error("{action}: {why}")]
+    #[error("{attempt}: {why}")]
     Impossible {
-        /// The action that was to be done.
-        action: String,
+        /// The action or control that was to be done.
+        attempt: Attempt,
         /// The reason of the bodies.
+        #[source]
         why: PhysicalRefusal,
     },
     /// The bodies did it, and what came out is not what the rule says.
@@ -158,11 +170,12 @@ pub enum ActionError {
     )]
     Busy(Label),
     /// It was begun, and something came between; the world stays as it was then.
-    #[error("{action}: {why}")]
+    #[error("{attempt}: {why}")]
     Interrupted {
         /// The action that was being done.
-        action: String,
+        attempt: Attempt,
         /// The reason.
+        #[source]
         why: Box<Interruption>,
     },
 }
@@ -399,7 +412,10 @@ pub enum SaveError {
     Unread(usize),
     /// The clock cannot be written or read.
     #[error("the clock: {0}")]
-    Clock(String),
+    Clock(#[source] serde_json::Error),
+    /// A scene that the clock remembers does not follow from the present one.
+    #[error("the clock: {0}")]
+    Remembered(#[source] vc_graph::ChangeMismatch),
     /// The scene in them cannot be read.
     #[error(transparent)]
     Format(#[from] FormatError),

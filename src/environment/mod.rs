@@ -2,6 +2,7 @@
 
 mod alter;
 mod astray;
+mod attempt;
 mod body;
 mod boxes;
 mod builder;
@@ -41,6 +42,7 @@ use vc_physics::{Floor, PhysicsWorld, Posture, ShapeCache};
 use vc_relations::Relations;
 
 pub use alter::{AlterError, Spot};
+pub use attempt::Attempt;
 pub use builder::EnvironmentBuilder;
 use builder::EnvironmentSettings;
 pub use clock::{Ending, Interruption};
@@ -50,7 +52,9 @@ pub use error::{ActionError, MakeError, NoRoom, PhysicalRefusal, ResetError, Sav
 #[cfg(feature = "render")]
 pub(crate) use export::position;
 #[cfg(feature = "render")]
-pub use pictures::{CameraError, CameraId, Lens, Mount, NamedCamera, PictureError, PictureOptions, Viewpoint};
+pub use pictures::{
+    CameraError, CameraId, JsonFault, Lens, Mount, NamedCamera, PictureError, PictureOptions, Viewpoint,
+};
 #[cfg(feature = "render")]
 pub(crate) use pictures::{GLANCE, sight_of};
 #[cfg(feature = "render")]

@@ -4,7 +4,7 @@ use nalgebra::{Point3, Vector2, Vector3};
 use vc_graph::portable::Portable;
 use vc_graph::{ChangeSet, NodeId};
 
-use super::{ActionError, Environment, PhysicalRefusal};
+use super::{ActionError, Attempt, Environment, PhysicalRefusal};
 
 /// The control input of a body for one tick.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -47,8 +47,9 @@ impl Environment {
     /// ```
     pub fn steer(&mut self, agent: NodeId, steering: &Steering) -> Result<ChangeSet, ActionError> {
         let labels = self.graph.clone();
+        let attempt = Attempt::control("steer");
         let impossible =
-            |why: PhysicalRefusal| ActionError::Impossible { action: "steer".into(), why: why.in_scene(&labels) };
+            |why: PhysicalRefusal| ActionError::Impossible { attempt: attempt.clone(), why: why.in_scene(&labels) };
         if !steering.heading.is_finite() {
             let refused = vc_physics::PhysicsError::NotFinite("the heading", agent);
             return Err(impossible(refused.into()));

@@ -16,12 +16,11 @@ pub(crate) struct Threads(Option<Arc<ThreadPool>>);
 impl Threads {
     /// A pool of so many.
     pub(super) fn new(threads: usize) -> Result<Self, MakeError> {
-        let refused = |why: String| MakeError::Threads { threads, why };
         if !(1..=MOST).contains(&threads) {
-            return Err(refused(format!("ask for 1 to {MOST}")));
+            return Err(MakeError::Threads { threads, most: MOST });
         }
-        let pool = ThreadPoolBuilder::new().num_threads(threads).build().map_err(|e| refused(e.to_string()))?;
-        Ok(Self(Some(Arc::new(pool))))
+        let pool = ThreadPoolBuilder::new().num_threads(threads).build();
+        Ok(Self(Some(Arc::new(pool.map_err(|why| MakeError::ThreadPool { threads, why })?))))
     }
 
     /// Does something on these threads.

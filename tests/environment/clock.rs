@@ -446,6 +446,33 @@ fn processes_go_on() {
     assert!((home.day_time().hour() - hour - 1.12).abs() < 0.02, "{}", home.day_time().hour() - hour);
 }
 
+/// With processes at once what begins in a tick has ended with the next step, however time is divided.
+#[test]
+fn processes_end_at_once() {
+    let mut home = Environment::builder("apartment/42").processes_at_once().make().unwrap();
+    let me = home.agents()[0];
+    let tables: Vec<NodeId> = home.graph().nodes().filter(|n| n.class().ends_with("table")).map(|n| n.id()).collect();
+    let mut stand = |at: NodeId| home.spawn("coffee_maker", Place { relation: Relation::On, at }).ok();
+    let machine = tables.into_iter().find_map(&mut stand).unwrap();
+    act(&mut home, me, Verb::Walk, &[machine]);
+    let is = |home: &Environment, state| home.graph().node(machine).unwrap().is(state);
+    assert!(is(&home, State::Off) && !is(&home, State::Hot));
+    let mut slow = home.clone();
+    for home in [&mut home, &mut slow] {
+        home.give(me, Action::one(Verb::SwitchOn, machine));
+    }
+    let (mut on, mut hot) = (0, 0);
+    for _ in 0..LONG.0 {
+        slow.step(Span(1));
+        on += u32::from(is(&slow, State::On));
+        hot += u32::from(is(&slow, State::Hot));
+    }
+    let endings = home.step(LONG);
+    assert!(on == 1 && hot > 0 && endings.iter().all(|ending| ending.outcome.is_ok()), "{on} {hot} {endings:?}");
+    assert!(is(&home, State::Off) && home.processes().all(|process| process.node != machine));
+    assert!(slow.digest() == home.digest() && slow.save().unwrap() == home.save().unwrap());
+}
+
 /// Prints how many random actions of two agents at once are done, why others are not, and their cost against the same
 /// actions one after the other; `HOMES`, `ROUNDS` and `FROM` set the range.
 #[test]

@@ -133,6 +133,7 @@ fn hands_bring_about_what_actions_do() {
         assert!(opened > 0);
         act(&mut other, me, Verb::Open, &[cabinet]);
         same(&home, &other, &[cabinet, spoon]);
+        shuts_as_by_action((home.clone(), other.clone()), me, cabinet, &handle);
 
         let out = handle * Pose::translation(-way - 0.08, 0.0, 0.0);
         reach(&mut home, me, Hand::Right, &out, 0.0);
@@ -147,12 +148,40 @@ fn hands_bring_about_what_actions_do() {
         act(&mut other, me, Verb::Grab, &[spoon]);
         same(&home, &other, &[cabinet, spoon]);
         assert_eq!(home.world().held(me, Hand::Right), Some(spoon));
+        lies_inside_as_by_action((home.clone(), other), me, (spoon, cabinet), (&spoon_at, &above));
 
         // Afterwards actions go on with it.
         home.interrupt(me);
         act(&mut home, me, Verb::PutBack, &[spoon]);
         assert!(home.graph().rests_at(spoon, cabinet));
     }
+}
+
+/// A drawer that a hand pushes shut by its handle is as shut as after `close`.
+fn shuts_as_by_action((mut home, mut other): (Environment, Environment), me: NodeId, cabinet: NodeId, handle: &Pose) {
+    reach(&mut home, me, Hand::Right, handle, 1.0);
+    reach(&mut home, me, Hand::Right, handle, 0.0);
+    reach(&mut home, me, Hand::Right, &(handle * Pose::translation(-0.1, 0.0, 0.0)), 0.0);
+    act(&mut other, me, Verb::Close, &[cabinet]);
+    assert!(home.graph().node(cabinet).unwrap().is(State::Closed));
+    same(&home, &other, &[cabinet]);
+}
+
+/// A thing that a hand lets go inside a drawer is as in it as after `put_in`.
+fn lies_inside_as_by_action(
+    (mut home, mut other): (Environment, Environment),
+    me: NodeId,
+    (thing, cabinet): (NodeId, NodeId),
+    (inside, above): (&Pose, &Pose),
+) {
+    reach(&mut home, me, Hand::Right, inside, 1.0);
+    reach(&mut home, me, Hand::Right, inside, 0.0);
+    reach(&mut home, me, Hand::Right, above, 0.0);
+    home.interrupt(me);
+    home.step(Span(120));
+    act(&mut other, me, Verb::PutIn, &[thing, cabinet]);
+    assert!(home.graph().related(thing, Relation::Inside).any(|id| id == cabinet));
+    same(&home, &other, &[cabinet, thing]);
 }
 
 /// Turns somebody on the spot by control alone.
@@ -175,15 +204,21 @@ fn face(home: &mut Environment, me: NodeId, to: &UnitQuaternion<f32>) {
 fn a_glass_is_taken_and_put_down_as_by_actions() {
     for hand in Hand::BOTH {
         let (mut home, me, glass, table) = before_a_glass(1);
+        if hand == Hand::Left {
+            // Actions take with the right hand first.
+            let apple = home.spawn("apple", Place { relation: Relation::On, at: table }).unwrap();
+            act(&mut home, me, Verb::Walk, &[apple]);
+            act(&mut home, me, Verb::Grab, &[apple]);
+            act(&mut home, me, Verb::Walk, &[glass]);
+        }
         let mut other = home.clone();
         take(&mut home, me, hand, glass);
         let held = home.controlled_hand(me, hand).unwrap();
         assert_eq!(held.body.holds, Some((glass, None)), "{held:?}");
         assert_eq!(home.graph().holder(glass), Some(Place { relation: hand.relation(), at: me }));
         act(&mut other, me, Verb::Grab, &[glass]);
-        if hand == Hand::Right {
-            same(&home, &other, &[glass, table]);
-        }
+        assert_eq!(other.graph().holder(glass), home.graph().holder(glass));
+        same(&home, &other, &[glass, table, me]);
         let there = home.controlled_hand(me, hand).unwrap().body.pose;
         reach(&mut home, me, hand, &raised(&there, 0.3), 1.0);
         assert!(home.world().aabb(glass).unwrap().min.z > home.world().aabb(table).unwrap().max.z + 0.2);

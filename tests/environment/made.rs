@@ -1,14 +1,19 @@
 //! Homes made from files and graphs, altered through graphs, and exported.
 
+use std::error::Error;
+
 use flate2::Compression;
 use flate2::write::GzEncoder;
+use virtualcity::graph::clock::Span;
 use virtualcity::graph::format::native;
-use virtualcity::graph::{ClassTable, Draft, NodeId, Place, Pose, Property, Relation, Seed, State, Verb, Violation};
+use virtualcity::graph::{
+    Action, ClassTable, Draft, Node, NodeId, Place, Pose, Property, Relation, Seed, State, Verb, Violation,
+};
 use virtualcity::physics::{BodyRole, PhysicsError};
 use virtualcity::procgen::Apartment;
 use virtualcity::relations::RelationRule;
 use virtualcity::render::Daylight;
-use virtualcity::{Environment, MakeError, UnplacedReason, check_environment};
+use virtualcity::{ActionError, Environment, MakeError, UnplacedReason, check_environment};
 
 use super::{act, home};
 
@@ -29,6 +34,58 @@ fn scenes_are_made_of_files() {
     encoder.finish().unwrap();
     let unpacked = Environment::make(&format!("scene:{}", packed.display()), 1).unwrap();
     assert_eq!(unpacked.digest(), read.digest());
+}
+
+/// Errors hold the action that they are about, and the error that they come from.
+#[test]
+fn errors_hold_their_source() {
+    let mut home = home(42, 1);
+    let (me, table) = (home.agents()[0], home.graph().first_of_class("coffee_table").unwrap());
+    let middle = home.world().aabb(table).unwrap().centre();
+    let into = Action::zero(Verb::Walk).at(f64::from(middle.x), f64::from(middle.y)).unwrap();
+    let impossible = home.set_action(me, into).unwrap_err();
+    let ActionError::Impossible { attempt, why } = &impossible else { panic!("{impossible}") };
+    assert_eq!(attempt.action(), Some(into));
+    assert_eq!(impossible.source().and_then(|source| source.downcast_ref()), Some(why));
+    assert_eq!(impossible.to_string(), format!("{}: {why}", into.describe(home.graph())));
+
+    let away = Action::walk(home.graph().first_of_class("fridge").unwrap());
+    home.give(me, away);
+    home.step(Span(5));
+    home.interrupt(me);
+    let interrupted = home.step(Span(1)).remove(0).outcome.unwrap_err();
+    let ActionError::Interrupted { attempt, why } = &interrupted else { panic!("{interrupted}") };
+    assert_eq!(attempt.action(), Some(away));
+    assert_eq!(interrupted.source().map(ToString::to_string), Some(why.to_string()));
+
+    let no_list = home.add_cameras("[1]").unwrap_err();
+    let source = no_list.source().map(ToString::to_string).unwrap();
+    assert_eq!(no_list.to_string(), format!("this is no list of cameras: {source}"));
+    let none = Environment::builder("apartment/5").threads(0).make().unwrap_err();
+    assert!(matches!(none, MakeError::Threads { threads: 0, most: 1024 }), "{none}");
+}
+
+/// A cup that hangs a centimetre and a half above a table rests on it by the tolerance of a builder that bridges this.
+#[test]
+fn tolerance_says_what_is_on_what() {
+    let mut home = home(42, 1);
+    let table = home.graph().first_of_class("coffee_table").unwrap();
+    let cup = home.spawn("cup", Place { relation: Relation::On, at: table }).unwrap();
+    let mut graph = home.graph().clone();
+    let raised = Pose::translation(0.0, 0.0, 0.015) * graph.node(cup).and_then(Node::pose).unwrap();
+    let room = graph.room_of(cup);
+    let mut edit = graph.edit();
+    edit.place_as_seen(cup, &[], room).unwrap();
+    edit.set_pose(cup, Some(raised)).unwrap();
+    edit.commit();
+    for (tolerance, expected) in [(0.02, true), (0.01, false), (0.016, true), (0.014, false)] {
+        let mut home = Environment::builder_from_scene(graph.clone()).tolerance(tolerance).make().unwrap();
+        let is_on = |home: &Environment| home.relations().supports(cup).iter().any(|support| support.by == table);
+        assert_eq!(home.world().pose(cup), Some(raised), "it hangs there");
+        assert_eq!(is_on(&home), expected, "{tolerance}");
+        home.reset(&graph).unwrap();
+        assert_eq!(is_on(&home), expected, "{tolerance} after a reset");
+    }
 }
 
 /// The builder's settings reach the parts that they are for, a reset keeps them, and senseless ones are refused.

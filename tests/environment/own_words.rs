@@ -1,8 +1,13 @@
 //! Verbs, states and properties of one's own in homes with bodies: they are planned, done, saved and seen as built-in ones.
 
 use virtualcity::Environment;
+use virtualcity::graph::asset::Hold;
 use virtualcity::graph::clock::{Durations, Span};
-use virtualcity::graph::{Action, NodeId, Pose, Property, Refusal, Seed, State, Verb, Vocabulary, Word, rule};
+use virtualcity::graph::{
+    Action, Node, NodeId, Place, Pose, Property, Refusal, Relation, SceneGraph, Seed, State, Verb, Vocabulary, Word,
+    rule,
+};
+use virtualcity::physics::Posture;
 use virtualcity::planner::{PlannerPolicy, run_episode};
 use virtualcity::procgen::Apartment;
 use virtualcity::tasks::{Outcome, Task};
@@ -16,14 +21,14 @@ const WORDS: &str = "
     verb stow 2 | needs: carries y; fits x y; holding x; accessible y; near y | effects: put_on x y | aims: putting
 ";
 
-/// A generated home with these words, in which tables can be polished.
+/// A generated home with these words, in which tables have all own affordances.
 fn home(seed: u64, words: &str) -> Environment {
     let mut scene = Apartment::from_seed(Seed(seed)).unwrap().scene();
     scene.set_vocabulary(Vocabulary::parse("words.txt", words).unwrap());
-    let tables = scene.of_class("table");
+    let (tables, own) = (scene.of_class("table"), scene.vocabulary().own_properties().to_vec());
     let mut edit = scene.edit();
-    for table in tables {
-        edit.allow(table, Property::parse("polishable").unwrap()).unwrap();
+    for (table, property) in tables.into_iter().flat_map(|table| own.iter().map(move |own| (table, *own))) {
+        edit.allow(table, property).unwrap();
     }
     edit.commit();
     // Wiping takes no longer than it is shown.
@@ -116,6 +121,167 @@ fn own_verbs_are_shown_by_their_motion() {
     };
     let bow = shown(&home, Action::zero(Verb::parse("bow").unwrap()), cup);
     assert!(far(&polish) < 0.15 && far(&bow) > 0.3, "{} {}", far(&polish), far(&bow));
+}
+
+/// Verbs that are built-in ones by another name.
+const NAMESAKES: &str = "
+    verb stow 2 | needs: encloses y; fits x y; holding x; accessible y; accepts y; near y | effects: put_into x y | aims: putting
+    verb hurry 1 | needs: reachable x; other x; upright | effects: go_to x | aims: going | motion: run
+    verb front 1 | needs: other x | effects: face x | aims: turning | motion: look
+";
+
+/// An action with another verb.
+fn by_name(verb: &str, action: Action) -> Action {
+    Action { verb: Verb::parse(verb).unwrap(), ..action }
+}
+
+/// Does an action by its own verb and by the built-in one in copies of a home; both end in the same scene and tick.
+fn alike(home: &Environment, own: &str, action: Action) -> Result<Environment, ActionError> {
+    let (mut named, mut builtin, me) = (home.clone(), home.clone(), home.agents()[0]);
+    let done = [named.set_action(me, by_name(own, action)), builtin.set_action(me, action)];
+    assert_eq!(done[0].is_ok(), done[1].is_ok(), "{action}: {done:?}");
+    assert!(named.graph() == builtin.graph() && named.tick() == builtin.tick(), "{action}");
+    let [done, _] = done;
+    done.map(|_| named)
+}
+
+/// Slots are those of the inside for a verb that puts into things: the rule and bodies go by the effect.
+#[test]
+fn own_verbs_put_things_into_slots() {
+    let mut home = home(42, NAMESAKES);
+    won(&mut home, "Holds(cup)");
+    let (me, graph) = (home.agents()[0], home.graph().clone());
+    let cup = graph.held(me).next().unwrap();
+    let shelves = |id: NodeId| {
+        let asset = graph.node(id).and_then(|node| graph.assets().get(node.spec().asset?));
+        asset.map_or(0, |asset| asset.surfaces.iter().filter(|surface| surface.hold == Hold::Inside).count())
+    };
+    let shelved = |node: &&Node| node.affords(Property::Container) && shelves(node.id()) > 2;
+    let mut put = 0;
+    for at in graph.nodes().filter(shelved).map(Node::id) {
+        let mut home = home.clone();
+        let closed = graph.node(at).unwrap().is(State::Closed);
+        let near = home.set_action(me, Action::walk(at)).is_ok();
+        if !near || closed && home.set_action(me, Action::open(at)).is_err() {
+            continue;
+        }
+        for slot in 1..=shelves(at) as u16 + 1 {
+            let put_in = Action::put_in(cup, at).in_slot(slot);
+            let (stow, mut symbolic) = (by_name("stow", put_in), home.graph().clone());
+            let allowed = rule::step(&mut symbolic, me, &stow);
+            assert_eq!(allowed.is_ok(), rule::allows(home.graph(), me, &put_in), "{stow}: {allowed:?}");
+            if let Ok(home) = alike(&home, "stow", put_in) {
+                for graph in [&symbolic, home.graph()] {
+                    assert!(graph.related(cup, Relation::Inside).any(|id| id == at));
+                }
+                put += 1;
+            }
+        }
+    }
+    assert!(put > 3, "{put}");
+}
+
+/// Feet run for a verb with that motion, and who sits turns by no verb that turns the body.
+#[test]
+fn own_verbs_run_and_turn() {
+    let mut home = home(42, NAMESAKES);
+    let (me, sofa) = (home.agents()[0], home.graph().first_of_class("sofa").unwrap());
+    let mut walker = home.clone();
+    walker.set_action(me, Action::walk(sofa)).unwrap();
+    home = alike(&home, "hurry", Action::one(Verb::Run, sofa)).unwrap();
+    assert!(home.tick() < walker.tick(), "{:?} {:?}", home.tick(), walker.tick());
+    let yaw = |verb: &str| format!("{verb} yaw 90").parse::<Action>().unwrap();
+    alike(&home, "front", yaw("turn_to")).unwrap();
+    home.set_action(me, Action::one(Verb::Sit, sofa)).unwrap();
+    let refused = home.set_action(me, yaw("front")).unwrap_err();
+    assert!(matches!(&refused, ActionError::Refused(why) if matches!(why[..], [Refusal::NotUpright(_)])), "{refused}");
+}
+
+/// Verbs that bring about nothing, with the motions of verbs that do.
+const SHOWN: &str = "
+    verb visit 1 | needs: upright; near x | motion: go
+    verb weigh 1 | needs: near x | motion: hold
+    verb try_out 1 | needs: upright; near x | motion: sit
+";
+
+/// The moments of an action that brings nothing about; in the end all but the agent is as before.
+fn moments(home: &mut Environment, verb: &str, thing: NodeId) -> Vec<Environment> {
+    let (me, before, mut seen) = (home.agents()[0], home.graph().clone(), Vec::new());
+    let action = Action::one(Verb::parse(verb).unwrap(), thing);
+    let mut at_once = home.clone();
+    at_once.set_action(me, action).unwrap();
+    home.set_action_in_time(me, action, Span(6), |now| seen.push(now.clone())).unwrap();
+    assert_eq!(home.digest(), at_once.digest(), "{action}");
+    let said = |graph: &SceneGraph, id: NodeId| {
+        (graph.node(id).unwrap().states(), graph.places(id).collect::<Vec<_>>(), graph.holder(id))
+    };
+    for id in before.nodes().map(Node::id) {
+        assert_eq!(said(home.graph(), id), said(&before, id), "{action}");
+    }
+    seen
+}
+
+/// Whoever goes without an effect that says so goes up to what is near.
+#[test]
+fn feet_go_up_to_what_is_near() {
+    let mut home = home(42, SHOWN);
+    let (me, fridge) = (home.agents()[0], home.graph().first_of_class("fridge").unwrap());
+    home.set_action(me, Action::walk(fridge)).unwrap();
+    let far = |home: &Environment| home.graph().distance(me, fridge).unwrap();
+    let close = far(&home);
+    // A step back.
+    let feet = home.world().pose(me).unwrap().translation.vector.xy();
+    let way = feet - home.world().aabb(fridge).unwrap().centre().xy().coords;
+    let back = home.floor().nearest((feet + 0.7 * way.normalize()).into(), 0.5).unwrap();
+    home.teleport(me, back).unwrap();
+    let before = far(&home);
+    assert!(home.graph().near(me, fridge) && before > close + 0.3, "{close} {before}");
+    let seen = moments(&mut home, "visit", fridge);
+    assert!(far(&home) < close + 0.1, "{} {close}", far(&home));
+    let on_the_way = |now: &Environment| (close + 0.15..before - 0.1).contains(&far(now));
+    assert!(seen.iter().any(on_the_way), "{:?}", seen.iter().map(far).collect::<Vec<_>>());
+}
+
+/// A thing is in the hand in the middle of the gesture, and then where it was.
+#[test]
+fn a_hand_holds_for_the_time_of_a_gesture() {
+    let mut home = home(42, SHOWN);
+    let (me, table) = (home.agents()[0], home.graph().first_of_class("coffee_table").unwrap());
+    let cup = home.spawn("cup", Place { relation: Relation::On, at: table }).unwrap();
+    home.set_action(me, Action::walk(cup)).unwrap();
+    let lay = home.world().pose(cup).unwrap();
+    let seen = moments(&mut home, "weigh", cup);
+    assert_eq!(home.world().pose(cup), Some(lay));
+    let middle = &seen[seen.len() / 2];
+    let holder = middle.world().holder(cup).map(|(by, hand)| (by, hand.relation()));
+    let said = middle.graph().holder(cup).map(|place| (place.at, place.relation));
+    assert!(holder.is_some_and(|(by, _)| by == me) && holder == said, "{holder:?} {said:?}");
+    let moved = |now: &Environment| (now.world().pose(cup).unwrap().translation.vector - lay.translation.vector).norm();
+    assert!(moved(middle) > 0.1, "{}", moved(middle));
+    assert!(moved(&seen[0]) < 1e-3 && moved(seen.last().unwrap()) < 1e-3);
+    // A table is not taken: it is touched.
+    let seen = moments(&mut home, "weigh", table);
+    assert!(seen.iter().all(|now| now.world().holder(table).is_none()));
+}
+
+/// The body sits in the middle of the gesture, and then stands where it stood.
+#[test]
+fn a_body_sits_for_the_time_of_a_gesture() {
+    let mut home = home(42, SHOWN);
+    let (me, sofa) = (home.agents()[0], home.graph().first_of_class("sofa").unwrap());
+    home.set_action(me, Action::walk(sofa)).unwrap();
+    let seen = moments(&mut home, "try_out", sofa);
+    let stood = home.world().pose(me);
+    let middle = &seen[seen.len() / 2];
+    assert!(matches!(middle.world().posture(me), Some(Posture::Sitting(on, _)) if on == sofa));
+    assert!(middle.graph().node(me).unwrap().is(State::Sitting));
+    assert_eq!(home.world().posture(me), Some(Posture::Standing));
+    assert_eq!(seen.last().unwrap().world().pose(me), stood);
+    // Nobody sits on what has no seat.
+    let table = home.graph().first_of_class("coffee_table").unwrap();
+    home.set_action(me, Action::walk(table)).unwrap();
+    let seen = moments(&mut home, "try_out", table);
+    assert!(seen.iter().all(|now| now.world().posture(me) == Some(Posture::Standing)));
 }
 
 /// In the middle of an own action the environment is saved, restored and goes on as the first.

@@ -14,7 +14,7 @@ use super::track::{Leaf, Track, Turn};
 use crate::environment::execute::{Bodies, Plan, Planner, Step, Task, WIDE};
 use crate::environment::motion::{BodyMotion, Drive};
 use crate::environment::observe::holder;
-use crate::environment::{ActionError, Environment, PhysicalRefusal};
+use crate::environment::{ActionError, Attempt, Environment, PhysicalRefusal};
 
 /// How often somebody who walks on is followed.
 const CHASES: u32 = 5;
@@ -141,8 +141,8 @@ impl Environment {
     }
 
     pub(super) fn cannot(&self, agent: NodeId, why: PhysicalRefusal) -> ActionError {
-        let action = self.clock.running.get(&agent).map(|s| s.action.describe(&self.graph).to_string());
-        ActionError::Impossible { action: action.unwrap_or_default(), why: why.in_scene(&self.graph) }
+        let attempt = self.clock.running.get(&agent).map(|s| Attempt::new(&s.action, &self.graph));
+        ActionError::Impossible { attempt: attempt.unwrap_or_default(), why: why.in_scene(&self.graph) }
     }
 
     fn begin_motion(&mut self, agent: NodeId, motion: BodyMotion) -> Going {
@@ -402,7 +402,7 @@ impl Environment {
     }
 
     pub(super) fn interrupted(&self, action: &Action, why: Interruption) -> ActionError {
-        ActionError::Interrupted { action: action.describe(&self.graph).to_string(), why: Box::new(why) }
+        ActionError::Interrupted { attempt: Attempt::new(action, &self.graph), why: Box::new(why) }
     }
 
     pub(super) fn interrupt_for(&mut self, agent: NodeId, why: Interruption) {

@@ -9,7 +9,7 @@ use crate::environment::compare::{Outcome, unsteady};
 use crate::environment::execute::off_aim;
 use crate::environment::motion::BodyMotion;
 use crate::environment::observe::{self, faced_by, holder, keep_facing, lay_through};
-use crate::environment::{ActionError, Disagreement, Environment, PhysicalRefusal, astray};
+use crate::environment::{ActionError, Attempt, Disagreement, Environment, PhysicalRefusal, astray};
 
 impl Environment {
     /// Finds out which actions need not wait for bodies any longer.
@@ -140,7 +140,7 @@ impl Environment {
             return Ok(false);
         }
         let balanced = self.clock.running.get(&agent).and_then(|schedule| schedule.balanced);
-        let error = Disagreement { action: action.describe(&self.graph).to_string(), differences };
+        let error = Disagreement { attempt: Attempt::new(&action, &self.graph), differences };
         Err(unsteady(error.into(), balanced))
     }
 

@@ -51,7 +51,7 @@ struct SavedTruth {
 }
 
 fn json<T: Serialize>(value: &T) -> Result<String, SaveError> {
-    serde_json::to_string(value).map_err(|e| SaveError::Clock(e.to_string()))
+    serde_json::to_string(value).map_err(SaveError::Clock)
 }
 
 impl Environment {
@@ -99,7 +99,7 @@ impl Environment {
 
     fn restored_scene(&self, text: &str) -> Result<SceneGraph, SaveError> {
         let mut scene = self.graph.clone();
-        self.restored_changes(text)?.apply(&mut scene).map_err(|e| SaveError::Clock(e.to_string()))?;
+        self.restored_changes(text)?.apply(&mut scene).map_err(SaveError::Remembered)?;
         Ok(scene)
     }
 
@@ -109,7 +109,7 @@ impl Environment {
 
     /// Goes on with a saved clock; the scene and the bodies have been restored.
     pub(in crate::environment) fn restore_clock(&mut self, text: &str) -> Result<(), SaveError> {
-        let mut saved: SavedClock = serde_json::from_str(text).map_err(|e| SaveError::Clock(e.to_string()))?;
+        let mut saved: SavedClock = serde_json::from_str(text).map_err(SaveError::Clock)?;
         for (agent, truth) in saved.truths {
             let truth = self.restored_truth(truth)?;
             if let Some(schedule) = saved.running.get_mut(&agent) {

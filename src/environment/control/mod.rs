@@ -15,7 +15,7 @@ use serde::{Deserialize, Serialize};
 use vc_graph::{NodeId, Refusal};
 use vc_physics::{AgentError, GuidedHand, Hand, HandGoal, PhysicsError, Posture};
 
-use super::{ActionError, Environment, PhysicalRefusal};
+use super::{ActionError, Attempt, Environment, PhysicalRefusal};
 
 /// The control input of a body, which holds until it is changed.
 ///
@@ -126,7 +126,7 @@ impl Environment {
         let without = (!self.start.time.bodies).then_some(PhysicalRefusal::NotModelled(WITHOUT));
         let fault = || self.control_fault(agent, control).map(|why| PhysicalRefusal::from(why).in_scene(&self.graph));
         if let Some(why) = without.or_else(fault) {
-            return Err(ActionError::Impossible { action: "control".into(), why });
+            return Err(ActionError::Impossible { attempt: Attempt::control("control"), why });
         }
         self.clock.controls.all.insert(agent, *control);
         self.clock.controls.new = true;

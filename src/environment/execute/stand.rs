@@ -2,7 +2,7 @@
 
 use nalgebra::{Point2, Point3, Vector2};
 use vc_graph::asset::JointKind;
-use vc_graph::{NodeId, NodeKind, Place, Pose, Property, Verb};
+use vc_graph::{Motion, NodeId, NodeKind, Place, Pose, Property};
 use vc_physics::{PhysicsWorld, ShutDoors, StandingPose};
 
 use super::planner::{Plan, Planner, Planning};
@@ -138,8 +138,8 @@ impl Planner<'_> {
             route.points.insert(0, from);
         }
         let aside = self.world.standing(self.agent, &feet)?.parts_to_move_aside(ShutDoors::Stay).unwrap_or_default();
-        let walk =
-            BodyMotion::Walk { points: route.points, doors: route.doors, feet, run: self.action.verb == Verb::Run };
+        let run = self.motion() == Some(Motion::Run);
+        let walk = BodyMotion::Walk { points: route.points, doors: route.doors, feet, run };
         let nudge = (!aside.is_empty()).then_some(BodyMotion::Nudge(aside));
         Ok(Plan::of(nudge.into_iter().chain([walk])))
     }

@@ -83,6 +83,7 @@ impl Planner<'_> {
         let by_hand = rule.preconditions.iter().any(|need| matches!(need, Condition::Near(_)));
         // Where to stand then, is found later.
         let later = rule.effects.iter().any(leads);
+        let on_foot = matches!(rule.motion, Motion::Go | Motion::Run) && !rule.effects.iter().any(goes);
         let about = action.things().find(|id| !self.is_mine(*id));
         if let Some((id, side)) = about.zip(self.asked_side()) {
             return self.reach_side(id, side);
@@ -90,13 +91,15 @@ impl Planner<'_> {
         match about {
             // A lamp under the ceiling is switched at the wall, wherever the switch is.
             Some(id) if rule.motion == Motion::Switch && self.is_overhead(id) => Ok(self.face(id)),
+            // The rule has one stay where one is: up to what is near already.
+            Some(id) if on_foot && self.stands() && self.before.near(self.agent, id) => self.go_to(id),
             Some(id) if by_hand && !later => self.reach(id),
             _ => Ok(Plan::default()),
         }
     }
 
     /// The motion of the action's verb.
-    fn motion(&self) -> Option<Motion> {
+    pub(super) fn motion(&self) -> Option<Motion> {
         self.before.vocabulary().rule(self.action.verb).map(|rule| rule.motion)
     }
 
@@ -148,6 +151,11 @@ fn leads(effect: &Effect<Argument>) -> bool {
             | Effect::PutWhereItWas(_)
             | Effect::Enter(_, State::Open | State::Closed)
     )
+}
+
+/// Whether an effect itself makes the agent go, or needs it within reach.
+fn goes(effect: &Effect<Argument>) -> bool {
+    matches!(effect, Effect::GoTo(_) | Effect::Approach(_) | Effect::GoToPoint(_) | Effect::Hold(_))
 }
 
 /// The motion that shows an action.

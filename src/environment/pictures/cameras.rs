@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use vc_graph::{Label, did_you_mean};
 use vc_render::RenderError;
 
-use super::{Lens, Mount, Named, Register, Viewpoint};
+use super::{JsonFault, Lens, Mount, Named, Register, Viewpoint};
 use crate::Environment;
 
 /// The number of a camera of an environment: [`Environment::cameras`].
@@ -120,7 +120,7 @@ pub enum CameraError {
     TooMany(&'static str),
     /// A text that lists no cameras.
     #[error("this is no list of cameras: {0}")]
-    NotAList(String),
+    NotAList(#[source] JsonFault),
 }
 
 impl CameraError {
@@ -170,7 +170,7 @@ impl Cameras {
 
     /// Reads that text. Things on which cameras are mounted may have gone since.
     pub(in crate::environment) fn restored(text: &str) -> Result<Self, CameraError> {
-        let file: CamerasFile = serde_json::from_str(text).map_err(|e| CameraError::NotAList(e.to_string()))?;
+        let file: CamerasFile = serde_json::from_str(text).map_err(|e| CameraError::NotAList(e.into()))?;
         for camera in file.cameras.values() {
             camera.mount.check()?;
             camera.lens.check()?;
@@ -312,7 +312,7 @@ impl Environment {
     /// # Errors
     /// As [`add_camera`](Self::add_camera); [`CameraError::NotAList`].
     pub fn add_cameras(&mut self, json: &str) -> Result<Vec<CameraId>, CameraError> {
-        let cameras: Vec<NamedCamera> = serde_json::from_str(json).map_err(|e| CameraError::NotAList(e.to_string()))?;
+        let cameras: Vec<NamedCamera> = serde_json::from_str(json).map_err(|e| CameraError::NotAList(e.into()))?;
         self.with_cameras(cameras)
     }
 

@@ -2,6 +2,7 @@
 
 mod camera;
 mod cameras;
+mod json_fault;
 mod lens;
 mod light;
 mod mount;
@@ -22,6 +23,7 @@ pub use self::camera::Viewpoint;
 pub(crate) use self::camera::{GLANCE, sight_of};
 pub(in crate::environment) use self::cameras::Cameras;
 pub use self::cameras::{CameraError, CameraId, NamedCamera, PictureError};
+pub use self::json_fault::JsonFault;
 pub use self::lens::Lens;
 use self::light::{Lit, lit, switch};
 pub use self::mount::Mount;

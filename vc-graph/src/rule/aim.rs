@@ -6,10 +6,11 @@ use crate::AimWord::{At, By, Seat, Slot, Yaw};
 use crate::asset::Hold;
 use crate::class::SlotKind;
 use crate::rule::effect::Effect;
+use crate::rule::effects;
 use crate::rule::refusal::Refusal;
 use crate::{
-    Action, Aim, AimPart, AimPoint, AimWord, BoundsFrame, Label, NEAR, Node, NodeId, NodeKind, ObjectRole, Relation,
-    SceneGraph, State, Verb,
+    Action, Aim, AimPart, AimPoint, AimWord, BoundsFrame, Label, Motion, NEAR, Node, NodeId, NodeKind, ObjectRole,
+    Relation, SceneGraph, State, Verb,
 };
 
 /// Half the height up to which a thing is a sheet on which others can stand, metres.
@@ -128,7 +129,8 @@ pub(super) fn refusals(graph: &SceneGraph, agent: NodeId, action: &Action) -> Ve
         Aimed::Object => of.putting_at(point),
     });
     let part = aim.part().and_then(|part| of.part(part));
-    let turns = action.verb == Verb::TurnTo;
+    // Pointing turns no more than the arm of one who rests.
+    let turns = rule.is_some_and(|rule| rule.aims.places == Some(Aimed::Front) && rule.motion != Motion::Point);
     let rests = graph.node(agent).is_some_and(|body| body.is(State::Sitting) || body.is(State::Lying));
     point.into_iter().chain(part).chain((turns && rests).then(|| Refusal::NotUpright(graph.label(agent)))).collect()
 }
@@ -200,7 +202,9 @@ impl Judged<'_> {
     /// The number of level surfaces in or on a thing, if its shape is known.
     fn slots(&self, node: &Node) -> Option<u32> {
         let asset = self.graph.assets().get(node.spec().asset?)?;
-        let hold = if self.action.verb == Verb::PutIn { Hold::Inside } else { Hold::On };
+        let goes_in = |effect: &Effect<NodeId>| matches!(effect, Effect::PutInto(_, at) if *at == node.id());
+        let inside = effects(self.graph.vocabulary(), self.action).iter().any(goes_in);
+        let hold = if inside { Hold::Inside } else { Hold::On };
         u32::try_from(asset.surfaces.iter().filter(|s| s.hold == hold).count()).ok()
     }
 }

@@ -4,6 +4,7 @@ use crate::vocabulary::vocabulary;
 
 vocabulary! {
     /// The motion by which a body shows an action. The effects ask for the rest: feet go, hands take and put, doors open.
+    /// A gesture takes 1.5 s, or as long as the action. It is seen in the moments of the clock and changes nothing else.
     ///
     /// ```
     /// use vc_graph::{Motion, Verb, Vocabulary};
@@ -14,19 +15,23 @@ vocabulary! {
     Motion, "motion" {
         /// Nothing more is seen.
         Nothing = "none",
-        /// Feet go there.
+        /// Feet go there, as far as an effect says so; without such an effect, up to what is near already.
         Go = "go",
+        /// As `go`, running.
+        Run = "run",
         /// Eyes are on it.
         Look = "look",
         /// A hand points to it.
         Point = "point",
         /// A hand goes to it.
         Reach = "reach",
-        /// A hand takes it, or lets it go.
+        /// A hand takes it, or lets it go, as the effects say. Without such an effect it is in the hand in the middle of
+        /// the gesture and then where it was, if one reaches it and `grab` is allowed; otherwise a hand goes to it.
         Hold = "hold",
         /// A hand goes to it, or to its switch on the wall.
         Switch = "switch",
-        /// The body sits or lies down on it.
+        /// The body sits or lies down on it, as the effects say. Without such an effect it does for the time of the
+        /// gesture, if it stands within a step of a free place; otherwise a hand goes to it.
         Sit = "sit",
         /// A hand, with what it holds, moves to and fro on it.
         UseAt = "use_at",

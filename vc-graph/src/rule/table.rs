@@ -58,7 +58,7 @@ pub static RULES: &[ActionRule] = &[
         Motion::Go, "Walks to a room, or into the room of a thing and up to it. Doors do not block: one opens and closes them in passing. What was near is no longer.")
         .aims(aim_sets::GOING),
     rule(Verb::Run, 1, &[Reachable(X), Other(X), Upright], &[GoTo(X)],
-        Motion::Go, "As walk, faster.")
+        Motion::Run, "As walk, faster.")
         .aims(aim_sets::GOING),
     rule(Verb::Find, 1, &[Reachable(X), Other(X), UprightOrNear(X)], &[Approach(X)],
         Motion::Go, "Notices a thing that is near, or walks up to it."),

@@ -37,8 +37,11 @@ impl PhysicsWorld {
         self.record_sleepers(&all);
     }
 
-    /// Puts things to sleep at poses at which they are known to be at rest, and lets agents stand at them, to the
-    /// bit; everything else [rests](Self::rest) where it is.
+    /// Puts things to sleep at poses at which they are known to be at rest, and lets agents stand at them; everything
+    /// else [rests](Self::rest) where it is.
+    ///
+    /// The poses hold to the bit until the next step. The engine takes a pose that is written for a change by the user
+    /// and wakes what is near, so that most loose things differ in their last bits a step later.
     ///
     /// # Errors
     /// As [`Self::place`].

@@ -3,13 +3,15 @@
 
 use nalgebra::{Matrix3, Point3, Rotation3, UnitQuaternion, Vector3};
 use vc_graph::portable::Portable;
-use vc_graph::{Aabb, Action, Anthropometry, Motion, NodeId, Pose};
+use vc_graph::{Aabb, Action, Anthropometry, Effect, Motion, NodeId, Pose, Property, rule};
 use vc_people::{Activity, Reach};
 use vc_physics::Hand;
 
-use super::Figure;
 use super::hands::side;
+use super::{Figure, OUT, Settling};
 use crate::environment::Environment;
+use crate::environment::clock::schedule::SETTLING;
+use crate::environment::execute::load_of;
 
 /// Share of a gesture in which the hand goes out, and equally in which it comes back.
 const EASE: f32 = 0.3;
@@ -48,17 +50,79 @@ enum Hold {
 impl Figure {
     /// Shows the gesture of an action, such as a hand on the action's object or a cup at the mouth.
     pub(super) fn gesture(&mut self, home: &mut Environment, action: &Action, seconds: f32) {
-        // Cups and books come to where the eyes are while the head is upright.
         let motion = home.graph.vocabulary().rule(action.verb).map_or(Motion::Nothing, |rule| rule.motion);
+        if action.object.is_some_and(|x| self.for_a_time(home, x, motion, seconds)) {
+            return;
+        }
+        // Cups and books come to where the eyes are while the head is upright.
         let upright = matches!(motion, Motion::Drink | Motion::Eat | Motion::Read);
         let gaze = if upright { None } else { home.attended(self.agent, action.things()) };
         let doing = Activity { gesture: Some((motion, self.time)), gaze, ..Activity::default() };
         home.poses.insert(self.agent, doing);
-        let ease = EASE * seconds;
-        let share = (self.time.min(seconds - self.time) / ease).clamp(0.0, 1.0);
+        let share = self.eased(seconds);
         if let Some(aim) = self.aim(home, action, motion) {
             self.follow(home, &aim, share);
         }
+    }
+
+    /// The share of a gesture that is shown: all of it in the middle.
+    fn eased(&self, seconds: f32) -> f32 {
+        (self.time.min(seconds - self.time) / (EASE * seconds)).clamp(0.0, 1.0)
+    }
+
+    /// Shows for the time of a gesture what the effects of other verbs do for good: sitting on a thing, or holding it.
+    /// Returns whether that can be done.
+    fn for_a_time(&mut self, home: &mut Environment, thing: NodeId, motion: Motion, seconds: f32) -> bool {
+        match motion {
+            Motion::Sit => self.sit(home, thing, self.eased(seconds)),
+            Motion::Hold => self.hold(home, thing, seconds),
+            _ => false,
+        }
+    }
+
+    /// The body sits on what is to sit on, lies on what is to lie on, and gets up again.
+    fn sit(&self, home: &mut Environment, on: NodeId, share: f32) -> bool {
+        let Some(settling) = Settling::begin(home, self.agent) else { return false };
+        let affords = |what| home.graph.node(on).is_some_and(|node| node.affords(what));
+        let (rests, shown) = match (affords(Property::Sittable), affords(Property::Lieable)) {
+            (true, _) => (home.world.sit(self.agent, on, None), Effect::SitOn(on)),
+            (_, true) => (home.world.lie(self.agent, on), Effect::LieOn(on)),
+            _ => return false,
+        };
+        if rests.is_err() {
+            return false;
+        }
+        // It is as bodies have it.
+        drop(rule::carry_out(&mut home.graph, self.agent, &shown));
+        settling.show(home, self.agent, share * SETTLING.seconds() as f32);
+        true
+    }
+
+    /// A hand takes a thing as `grab` would, and brings it back the same way.
+    fn hold(&mut self, home: &mut Environment, thing: NodeId, seconds: f32) -> bool {
+        let gets_at = home.world.agent(self.agent).is_ok_and(|agent| {
+            let distance = agent.reach_distance(thing);
+            distance.is_ok_and(|distance| distance <= agent.plan().reach)
+        });
+        let mine = self.hand_of(home, thing).is_some();
+        let Some(lay) = home.world.pose(thing).filter(|_| gets_at && !mine) else { return false };
+        if !rule::allows(&home.graph, self.agent, &Action::grab(thing)) {
+            return false;
+        }
+        let (hand, half) = (self.free_hand(home), self.time.min(seconds - self.time).max(0.0));
+        let time = (half * (4.0 * OUT / seconds).max(1.0)).min(2.0 * OUT);
+        if time > OUT {
+            let load = load_of(&home.graph, thing);
+            if home.world.grab_with_load(self.agent, hand, thing, &load).is_err() {
+                return false;
+            }
+            // It is as bodies have it.
+            drop(rule::carry_out(&mut home.graph, self.agent, &Effect::Hold(thing)));
+            self.out = Some(self.feet(home).inverse() * lay);
+        }
+        self.time = time;
+        self.take(home, hand, thing);
+        true
     }
 
     /// Moves a hand and the thing it holds towards the gesture's target.
@@ -119,9 +183,8 @@ impl Figure {
             Motion::Point => (self.towards(home, &box_of(x)?.centre())?, level),
             Motion::Cut => (above(&box_of(x)?, 0.02 + chop), level),
             Motion::UseAt | Motion::Play => (box_of(x)?.nearest(&(from + across * swing)), level),
-            Motion::Nothing | Motion::Look | Motion::Wave | Motion::Dance | Motion::Exercise | Motion::Stretch => {
-                return None;
-            }
+            Motion::Nothing | Motion::Look | Motion::Go | Motion::Run => return None,
+            Motion::Wave | Motion::Dance | Motion::Exercise | Motion::Stretch => return None,
             _ => (box_of(x)?.nearest(&from), level),
         };
         // Hands find the mouth without looking.
