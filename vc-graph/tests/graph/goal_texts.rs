@@ -101,7 +101,7 @@ fn errors_say_where_and_what() {
         ("Open(door), 99999999999", "goal, character 13: expected a number, found `99999999999`"),
         (
             "Fly(bird)",
-            "goal, character 1: unknown predicate `Fly`; use a state (Open, Clean), a relation (On, Inside, Near) or a verb (Sit, Eat)",
+            "goal, character 1: unknown predicate `Fly`; use a state (Open, Clean), a relation (On, Inside, Near) or a verb (Sit, Eat); your own are declared in a `Vocabulary` first",
         ),
         ("Open(door, box)", "goal, character 1: `Open` takes 1 things, 2 are given"),
         ("On(a, b, c)", "goal, character 1: `On` takes 2 things, 3 are given"),
@@ -157,8 +157,8 @@ fn errors_name_the_form_that_was_meant() {
         ("Sitting(me, sofa)", "`Sitting` takes 1 things, 2 are given (did you mean `SittingOn`?)"),
         ("Lying(me, bed)", "(did you mean `LyingOn`?)"),
         ("Hold(mug)", "unknown predicate `Hold` (did you mean `holds` or "),
-        ("did dance", "expected `()` after an action, as in `did dance()`, found the end"),
-        ("dance & Open(door)", "expected `()` after an action, as in `did dance()`, found `&`"),
+        ("did dance", "expected `()` after a name that is about nothing, as in `did dance()`, found the end"),
+        ("dance & Open(door)", "expected `()` after a name that is about nothing, as in `did dance()`, found `&`"),
     ] {
         let error = fail(text).to_string();
         assert!(error.contains(meant), "{text}: {error}");
@@ -171,7 +171,7 @@ fn errors_name_the_form_that_was_meant() {
 fn actions_done_are_of_verbs() {
     assert_eq!(
         fail("did wet(mug)").to_string(),
-        "goal, character 1: unknown verb `wet` after `did`; use one such as `did grab(cup)`"
+        "goal, character 1: unknown verb `wet` after `did`; use one such as `did grab(cup)`; your own are declared in a `Vocabulary` first"
     );
     assert!(fail("did gras(mug)").to_string().contains("`gras` after `did` (did you mean `grab`?)"));
 }
