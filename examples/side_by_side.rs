@@ -4,7 +4,7 @@
 //! cargo run --release --example side_by_side -- out/side_by_side
 //! ```
 //!
-//! prints the end of each action with its tick, and writes a picture of the kitchen for every half second into the folder.
+//! prints the end of each action with its time, and writes a picture of the kitchen for every half second into the folder.
 
 #[path = "support/output.rs"]
 mod output;
@@ -18,7 +18,7 @@ use virtualcity::{Environment, Viewpoint};
 
 fn main() -> Result<(), Complaint> {
     let folder = output::output("side_by_side", "out/side_by_side")?;
-    std::fs::create_dir_all(&folder)?;
+    virtualcity::files::create_folder(&folder)?;
     let mut home = Environment::make("apartment/42", 2)?;
     let (me, you) = (home.agents()[0], home.agents()[1]);
     let fridge = home.graph().first_of_class("fridge").ok_or_else(|| Complaint::new("there is no fridge"))?;

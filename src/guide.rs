@@ -609,7 +609,7 @@
 //! # Words of your own
 //!
 //! A scene may have verbs, states and properties of its own: lines of a [`Vocabulary`](vc_graph::Vocabulary), whose rules
-//! are made of the conditions and effects of the built-in verbs, and names for goals of its own. The planner plans with
+//! are made of the conditions and effects of the built-in verbs, and predicates derived from goals. The planner plans with
 //! them, and bodies show the motion that a rule names. Classes of your own can have them too, see
 //! [`ClassTable::with_vocabulary`](vc_graph::ClassTable::with_vocabulary).
 //!

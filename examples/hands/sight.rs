@@ -78,7 +78,7 @@ impl Witness {
     /// Writes the strip and the film.
     pub(crate) fn write(&self, seed: u64) -> Result<(), Complaint> {
         let folder = std::path::Path::new("out/hands");
-        std::fs::create_dir_all(folder)?;
+        virtualcity::files::create_folder(folder)?;
         let (strip, film) = (folder.join(format!("{seed}.png")), folder.join(format!("{seed}_film.png")));
         virtualcity::files::write(&strip, picture::png(&Picture::sheet(&self.strip, 4, 4))?)?;
         virtualcity::files::write(&film, picture::apng(&self.film, RATE)?)?;

@@ -12,7 +12,7 @@ pub(crate) fn output(program: &str, default: &str) -> Result<PathBuf, Complaint>
     let words: Vec<String> = std::env::args().skip(1).collect();
     match words.as_slice() {
         [] => Ok(default.into()),
-        [path] if !path.starts_with('-') => Ok(path.into()),
-        _ => Err(Complaint::new(format!("usage: {program} [PATH]; there are no options such as {}", words.join(" ")))),
+        [path] if !path.starts_with('-') && !path.is_empty() => Ok(path.into()),
+        _ => Err(Complaint::new(format!("usage: {program} [PATH], not `{}`", words.join(" ")))),
     }
 }
