@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use super::read_parts::is_reserved;
 use super::scan::is_plain;
 use super::write::Open;
 use super::{DerivedPredicate, Goal, Predicate, Term};
@@ -27,7 +28,8 @@ impl PredicateDefinition {
     /// The variables of a declaration, `?x ?y`.
     pub(crate) fn variables(text: &str) -> Result<Vec<String>, Problem> {
         let wrong = || Problem::Variables(clip(text));
-        let name = |word: &str| word.strip_prefix('?').filter(|name| is_plain(name)).map(str::to_owned);
+        let name =
+            |word: &str| word.strip_prefix('?').filter(|name| is_plain(name) && !is_reserved(name)).map(str::to_owned);
         let names: Vec<String> = text.split_whitespace().map(name).collect::<Option<_>>().ok_or_else(wrong)?;
         let distinct = names.iter().enumerate().all(|(place, name)| !names[..place].contains(name));
         if names.len() <= 2 && distinct { Ok(names) } else { Err(wrong()) }

@@ -180,7 +180,7 @@ impl Reader {
     }
 
     fn variable(&mut self) -> Result<Variable, GoalError> {
-        const VARIABLE: &str = "a variable such as `?x`";
+        const VARIABLE: &str = "a variable such as `?x`, not `me`, `character`, `_` or `*`";
         let not_a_variable = self.expected(VARIABLE);
         let name = if let Some(Token::Variable(name)) = self.peek() {
             let name = name.clone();
@@ -194,6 +194,9 @@ impl Reader {
             }
             bare.to_owned()
         };
+        if is_reserved(&name) {
+            return Err(not_a_variable);
+        }
         let class = if self.take(&[":"]) { Some(self.class()?) } else { None };
         Ok(Variable { name, class })
     }
@@ -216,4 +219,9 @@ impl Reader {
         self.bound.truncate(outer);
         body.map(Box::new)
     }
+}
+
+/// Whether a name has a meaning of its own as a term, so that no variable can have it.
+pub(super) fn is_reserved(name: &str) -> bool {
+    matches!(name, "me" | "character" | "_" | "*")
 }

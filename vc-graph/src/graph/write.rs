@@ -32,7 +32,8 @@ impl SceneGraph {
         let ids = || self.nodes.iter().map(|node| node.id.0);
         let lowest = ids().min().unwrap_or(block.first);
         let new = |id: NodeId| NodeId(id.0 - lowest + block.first);
-        if ids().max().is_some_and(|highest| highest - lowest >= block.count) {
+        let last = ids().max().map_or(0, |highest| highest - lowest);
+        if last >= block.count.max(1) || block.first.checked_add(last).is_none() {
             return None;
         }
         let mut graph = Self::new(self.name.clone(), self.classes.clone());

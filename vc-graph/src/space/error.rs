@@ -2,7 +2,7 @@
 
 use super::{PortalId, RegionId};
 use crate::format::FormatError;
-use crate::{Digest, Label, NodeId};
+use crate::{ChangeMismatch, Digest, Label, NodeId};
 
 /// An error in the plan of a [`Space`](super::Space), or in a scene that is given for a region.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -41,6 +41,14 @@ pub enum SpaceError {
     /// The two sides of a portal are not at the same place, or do not face each other.
     #[error("the sides of a portal between {0} and {1} are {2:.2} m and {3:.0} degrees apart")]
     SidesApart(RegionId, RegionId, f64, f64),
+    /// The leaf of a portal is of neither of its regions.
+    #[error("the leaf {leaf} of a portal between {} and {} has a number of neither of them", .regions[0], .regions[1])]
+    ForeignLeaf {
+        /// The leaf.
+        leaf: NodeId,
+        /// The regions.
+        regions: [RegionId; 2],
+    },
     /// A node of a scene has a number that is not of its region.
     #[error("{node} has a number outside the block of {region}: build the scene with `SceneBuilder::numbers`")]
     ForeignNumber {
@@ -90,8 +98,8 @@ pub enum PassError {
     /// The region beyond is not active.
     #[error("{0}, beyond the portal, is not active")]
     NotActive(RegionId),
-    /// The region beyond has no room to be in.
-    #[error("{0}, beyond the portal, has no room")]
+    /// The region beyond has no room to be in, or not the one that the portal names.
+    #[error("{0}, beyond the portal, has no room, or not the one that the portal names")]
     NoRoom(RegionId),
     /// The node rests on something that stays.
     #[error("{node} rests at {at}, which stays in {region}: stand up or be picked up first")]
@@ -106,6 +114,19 @@ pub enum PassError {
     /// The scene beyond has a node of the same number.
     #[error("the scene beyond has a node with the number of {0}: numbers are those of a region's block")]
     Taken(Label),
+    /// A scene has changed since a passage that is to be undone.
+    #[error(transparent)]
+    Changed(Box<ChangeMismatch>),
+    /// The scene beyond lacks an own word of a node.
+    #[error("{node} has the own word `{word}`, which the vocabulary of {region} lacks")]
+    Lacks {
+        /// The node.
+        node: Label,
+        /// The word.
+        word: &'static str,
+        /// The region beyond.
+        region: RegionId,
+    },
     /// A room does not move.
     #[error("{0} is a room, which stays where it is")]
     IsRoom(Label),

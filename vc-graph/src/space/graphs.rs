@@ -134,7 +134,8 @@ impl RegionGraphs {
         self.active.get(&region).map(|active| &active.graph)
     }
 
-    /// Begins an edit in an active region. At least 256 nodes can be added in it.
+    /// Begins an edit in an active region. At least 256 nodes can be added in it: a region with fewer numbers left goes on
+    /// with some of the world's overflow.
     pub fn edit(&mut self, region: RegionId) -> Option<Edit<'_>> {
         self.prepare(region)?;
         self.active.get_mut(&region).map(|active| active.graph.edit())
@@ -147,7 +148,6 @@ impl RegionGraphs {
     pub fn step(&mut self, agent: NodeId, action: &Action) -> Result<ChangeSet, Vec<Refusal>> {
         let nobody = || vec![Refusal::NoSuchThing(agent)];
         let region = self.region_of(agent).ok_or_else(nobody)?;
-        self.prepare(region).ok_or_else(nobody)?;
         let active = self.active.get_mut(&region).ok_or_else(nobody)?;
         rule::step(&mut active.graph, agent, action)
     }
@@ -182,11 +182,8 @@ impl RegionGraphs {
     }
 
     pub(super) fn made_in(&self, node: NodeId) -> Option<RegionId> {
-        if !NumberBlock::OVERFLOW.has(node) || self.space.len() == 1 {
-            return self.space.made_in(node);
-        }
-        let slice = (node.0 - NumberBlock::OVERFLOW.first) / SLICE;
-        self.slices.get(slice as usize).copied()
+        let slice = || Some(node.0.checked_sub(NumberBlock::OVERFLOW.first)? / SLICE);
+        self.space.made_in(node).or_else(|| self.slices.get(slice()? as usize).copied())
     }
 
     /// Lets an active region go on with numbers of the overflow if it has few left.

@@ -24,8 +24,6 @@ impl NumberBlock {
     pub const ALL: Self = Self { first: 1, count: u32::MAX };
     /// The numbers that go to regions whose block is full.
     pub const OVERFLOW: Self = Self { first: 0xC000_0000, count: 0x2000_0000 };
-    /// The numbers of those who belong to no region: agents, vehicles and passengers.
-    pub const TRAVELLERS: Self = Self { first: 0xE000_0000, count: 0x1FFF_FFFF };
 
     /// Whether a number is in the block.
     pub fn has(self, id: NodeId) -> bool {

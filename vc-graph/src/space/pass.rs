@@ -42,11 +42,16 @@ impl RegionGraphs {
             (None, _) => return Err(PassError::NoSuchNode(node)),
             (_, None) => return Err(PassError::NotActive(to)),
         };
-        let room = into.or_else(|| entered.rooms().first().copied()).ok_or(PassError::NoRoom(to))?;
+        let is_room = |id: &NodeId| entered.rooms().contains(id);
+        let room = into.or_else(|| entered.rooms().first().copied()).filter(is_room).ok_or(PassError::NoRoom(to))?;
         let nodes = free_to_go(left, node, from)?;
         let frames = self.space().region(from).zip(self.space().region(to));
         let shift = frames.map_or_else(Pose::identity, |(from, to)| from.frame.to(&to.frame));
         let load = Load::new(left, &nodes);
+        let lacking = load.nodes.iter().find_map(|node| Some((node, entered.vocabulary().word_lacking(node)?)));
+        if let Some((node, word)) = lacking {
+            return Err(PassError::Lacks { node: node.label(), word, region: to });
+        }
         let mut library = entered.assets().clone();
         let mut arrived = |old: &Arc<Node>| {
             let mut new = Node { pose: old.pose.map(|pose| shift * pose), ..Node::clone(old) };
@@ -81,9 +86,14 @@ impl RegionGraphs {
     /// Undoes a passage.
     ///
     /// # Errors
-    /// [`ChangeMismatch`] if one of the two scenes has changed since; nothing has changed then.
-    pub fn take_back(&mut self, crossing: &Crossing) -> Result<(), ChangeMismatch> {
-        self.change(&crossing.left.inverse(), &crossing.entered.inverse(), crossing.from, crossing.to)?;
+    /// [`PassError::NotActive`] if one of the two regions is dormant, [`PassError::Changed`] if its scene has changed
+    /// since; nothing has changed then.
+    pub fn take_back(&mut self, crossing: &Crossing) -> Result<(), PassError> {
+        if let Some(region) = [crossing.from, crossing.to].into_iter().find(|region| self.graph(*region).is_none()) {
+            return Err(PassError::NotActive(region));
+        }
+        let undone = self.change(&crossing.left.inverse(), &crossing.entered.inverse(), crossing.from, crossing.to);
+        undone.map_err(|mismatch| PassError::Changed(Box::new(mismatch)))?;
         self.settle(&crossing.nodes, crossing.from);
         Ok(())
     }

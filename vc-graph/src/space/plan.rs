@@ -26,16 +26,22 @@ pub struct Space {
 
 impl Space {
     /// A world of a single region, with all node numbers: that of a scene that stands alone.
-    pub fn single(region: Region) -> Self {
+    ///
+    /// # Errors
+    /// [`SpaceError::NotFinite`].
+    pub fn single(region: Region) -> Result<Self, SpaceError> {
+        if !region.frame.is_finite() {
+            return Err(SpaceError::NotFinite(region.name.to_string()));
+        }
         let region = Region { numbers: NumberBlock::ALL, parent: None, ..region };
         let lists = || Lists::new(1, &[]);
-        Self {
+        Ok(Self {
             regions: vec![region],
             portals: Vec::new(),
             children: lists(),
             openings: lists(),
             scenes: vec![RegionId(0)],
-        }
+        })
     }
 
     /// The number of regions, groups included.
@@ -158,14 +164,15 @@ impl SpaceBuilder {
                 None => return Err(SpaceError::NoSuchParent { name: name(), parent }),
             },
         };
-        if !region.frame.is_finite() {
+        let frame = region.frame.within(&outer);
+        if !frame.is_finite() {
             return Err(SpaceError::NotFinite(name()));
         }
         let (count, left) = (region.numbers.count, NumberBlock::OVERFLOW.first - 1 - self.used);
         if count > left {
             return Err(SpaceError::NumbersExhausted { name: name(), count, left });
         }
-        region.frame = region.frame.within(&outer);
+        region.frame = frame;
         region.numbers.first = self.used + 1;
         self.used += count;
         self.regions.push(region);
@@ -176,7 +183,7 @@ impl SpaceBuilder {
     ///
     /// # Errors
     /// [`SpaceError::NoScene`], [`SpaceError::JoinsItself`], [`SpaceError::NoOpening`], [`SpaceError::NotFinite`],
-    /// [`SpaceError::SidesApart`].
+    /// [`SpaceError::SidesApart`], [`SpaceError::ForeignLeaf`].
     pub fn join(&mut self, portal: Portal) -> Result<PortalId, SpaceError> {
         let [one, other] = &portal.sides;
         let (first, second) = (self.with_scene(one.region)?, self.with_scene(other.region)?);
@@ -193,9 +200,14 @@ impl SpaceBuilder {
         }
         let (here, there) = (first.frame.pose(&one.pose), second.frame.pose(&other.pose));
         let apart = (here.translation.vector - there.translation.vector).norm();
-        let turned = (here * Vector3::x()).angle(&(there * -Vector3::x())).to_degrees();
+        let facing = (here * Vector3::x()).angle(&(there * -Vector3::x()));
+        let tilted = (here * Vector3::z()).angle(&(there * Vector3::z()));
+        let turned = facing.max(tilted).to_degrees();
         if apart > WALL || turned > FACING {
             return Err(SpaceError::SidesApart(one.region, other.region, apart, turned));
+        }
+        if let Some(leaf) = portal.leaf.filter(|leaf| !first.numbers.has(*leaf) && !second.numbers.has(*leaf)) {
+            return Err(SpaceError::ForeignLeaf { leaf, regions: portal.sides.map(|side| side.region) });
         }
         self.portals.push(portal);
         Ok(PortalId(self.portals.len() as u32 - 1))

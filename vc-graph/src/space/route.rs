@@ -9,7 +9,7 @@ use super::{PortalId, RegionId, Space};
 
 impl Space {
     /// The portals on the shortest way from a point of one region to a point of another, by straight lines from portal to
-    /// portal; empty within one region, `None` if there is no way. Points are in the frames of their regions, metres;
+    /// portal; empty within one region, `None` if there is no way, or a point is not finite. Points are in the frames of their regions, metres;
     /// `passable` says which portals can be gone through.
     ///
     /// An A* search (Hart, Nilsson and Raphael, 1968). Costs what is near the way, however large the world is.
@@ -57,7 +57,8 @@ impl Space {
 
     /// A point of a region in the world.
     fn in_world(&self, region: RegionId, point: &Point3<f32>) -> Option<Point3<f64>> {
-        Some(self.region(region)?.frame.point(&point.cast()))
+        let point = self.region(region)?.frame.point(&point.cast());
+        Some(point).filter(|point| point.iter().all(|value| value.is_finite()))
     }
 }
 

@@ -44,7 +44,7 @@ impl RegionGraphs {
     /// ```
     /// use vc_graph::space::{Region, RegionGraphs, RegionId, RegionKind, Space};
     /// use vc_graph::{ClassTable, Draft, SceneBuilder};
-    /// let space = std::sync::Arc::new(Space::single(Region::new(RegionKind::Unit, "flat")));
+    /// let space = std::sync::Arc::new(Space::single(Region::new(RegionKind::Unit, "flat"))?);
     /// let mut scene = SceneBuilder::new("flat");
     /// let kitchen = scene.add(Draft::new("kitchen"))?;
     /// let made = scene.build();

@@ -58,7 +58,8 @@ pub struct OwnState {
     pub state: State,
     /// The states that it excludes.
     pub excludes: StateSet,
-    /// The affordance without which no action brings a thing into the state.
+    /// The affordance of things that can be in the state. Goals and activities are checked by it; a verb that leads to the
+    /// state says so in its own `needs`.
     pub needs: Option<Property>,
 }
 

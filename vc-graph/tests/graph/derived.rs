@@ -70,6 +70,8 @@ fn mistakes_are_told() {
     use VocabularyProblem as P;
     assert!(matches!(problem("predicate p1 ?x"), P::Undefined("p1")));
     assert!(matches!(problem("predicate p1 x | is: Open(fridge)"), P::Variables(_)));
+    assert!(matches!(problem("predicate p1 ?me | is: Holds(?me)"), P::Variables(_)));
+    assert!("exists ?me. Holds(character, ?me)".parse::<Goal>().is_err());
     assert!(matches!(problem("predicate p1 ?x ?x | is: Open(?x)"), P::Variables(_)));
     assert!(matches!(problem("predicate p3 ?x ?y ?z | is: Open(?x)"), P::Variables(_)));
     assert!(matches!(problem("predicate p1 ?x | is: Opne(?x)"), P::Goal(_)));

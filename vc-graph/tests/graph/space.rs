@@ -342,6 +342,111 @@ fn whoever_cannot_pass_is_told_why() {
 }
 
 #[test]
+fn a_passage_is_taken_back_only_where_both_regions_are_active_and_as_they_were() {
+    let (mut world, made) = world(&[vec![], vec![], vec![]]);
+    let me = *world.graph(RegionId(1)).unwrap().agents().last().unwrap();
+    let crossing = world.pass(me, PortalId(0)).unwrap();
+    for region in [RegionId(1), RegionId(2)] {
+        world.rest(region).unwrap();
+        let before = world.clone();
+        assert_eq!(world.take_back(&crossing), Err(PassError::NotActive(region)));
+        assert!(world == before);
+        world.insert(region, made[&region].clone()).unwrap();
+    }
+    let mut edit = world.edit(RegionId(2)).unwrap();
+    edit.enter_state(me, State::Dirty).unwrap();
+    edit.commit();
+    let before = world.clone();
+    assert!(matches!(world.take_back(&crossing), Err(PassError::Changed(_))));
+    assert!(world == before);
+}
+
+#[test]
+fn one_enters_a_room_of_the_scene_beyond_that_knows_ones_words() {
+    let space = |room: Option<NodeId>| {
+        let mut plan = SpaceBuilder::new();
+        for x in [0.0, 10.0] {
+            plan.add(Region::new(RegionKind::Unit, "flat").with_numbers(50).shifted(x, 0.0, 0.0)).unwrap();
+        }
+        let sides = [side(0, 10.0, 0.0), PortalSide { room, ..side(1, 0.0, PI) }];
+        plan.join(Portal::new(PortalKind::Passage, sides, 1.0, 2.0)).unwrap();
+        plan.build()
+    };
+    let flat = |first: u32, words: &str| {
+        let words = vc_graph::Vocabulary::parse("words.txt", words).unwrap();
+        let classes = ClassTable::builtin().with_vocabulary(words);
+        let mut scene = SceneBuilder::with_classes("flat", classes.into());
+        scene.numbers(NumberBlock { first, count: 50 });
+        let hall = scene.add(Draft::new("hallway")).unwrap();
+        scene.add_in(hall, Draft::new("table")).unwrap();
+        scene.add_in(hall, Draft::new("character")).unwrap();
+        scene.build()
+    };
+    let world = |room, words: &str| {
+        let mut world = RegionGraphs::new(space(room).into());
+        world.insert(RegionId(0), flat(1, words)).unwrap();
+        world.insert(RegionId(1), flat(51, "")).unwrap();
+        world
+    };
+    assert!(world(Some(NodeId(51)), "").pass(NodeId(3), PortalId(0)).is_ok());
+    for no_room in [NodeId(52), NodeId(77), NodeId(1)] {
+        let refused = world(Some(no_room), "").pass(NodeId(3), PortalId(0));
+        assert_eq!(refused, Err(PassError::NoRoom(RegionId(1))));
+    }
+    let mut world = world(None, "state enlightened");
+    let mut edit = world.edit(RegionId(0)).unwrap();
+    edit.enter_state(NodeId(3), "enlightened".parse().unwrap()).unwrap();
+    edit.commit();
+    assert!(matches!(world.pass(NodeId(3), PortalId(0)), Err(PassError::Lacks { word: "enlightened", .. })));
+}
+
+#[test]
+fn absurd_numbers_are_refused() {
+    let vast = RegionFrame::new([1e308, 0.0, 0.0], 0.0);
+    let mut plan = SpaceBuilder::new();
+    let outer = plan.add(Region::new(RegionKind::City, "city").at(vast)).unwrap();
+    let inner = Region::new(RegionKind::Unit, "flat").within(outer).at(vast);
+    assert!(matches!(plan.add(inner), Err(SpaceError::NotFinite(_))));
+    let nowhere = Region::new(RegionKind::Unit, "flat").shifted(f64::NAN, 0.0, 0.0);
+    assert!(matches!(Space::single(nowhere), Err(SpaceError::NotFinite(_))));
+    let space = row();
+    let (here, nowhere) = (Point3::new(1.0, 1.0, 0.0), Point3::new(f32::NAN, f32::INFINITY, 0.0));
+    for (from, to) in [(here, nowhere), (nowhere, here)] {
+        assert_eq!(space.route((RegionId(1), from), (RegionId(3), to), |_| true), None);
+    }
+    let mut plan = SpaceBuilder::new();
+    for x in [0.0, 10.0] {
+        plan.add(Region::new(RegionKind::Unit, "flat").with_numbers(10).shifted(x, 0.0, 0.0)).unwrap();
+    }
+    let upside_down = PortalSide { pose: Pose::rotation(Vector3::new(0.0, PI, 0.0)), ..side(1, 0.0, PI) };
+    let joined = plan.join(Portal::new(PortalKind::Passage, [side(0, 10.0, 0.0), upside_down], 1.0, 2.0));
+    assert!(matches!(joined, Err(SpaceError::SidesApart(..))));
+    let door = Portal::new(PortalKind::Door, [side(0, 10.0, 0.0), side(1, 0.0, PI)], 1.0, 2.0);
+    assert!(matches!(plan.join(door.with_leaf(NodeId(40))), Err(SpaceError::ForeignLeaf { .. })));
+    let mut scene = SceneBuilder::new("flat");
+    for _ in 0..2 {
+        scene.add(Draft::new("kitchen")).unwrap();
+    }
+    assert!(scene.build().renumbered(NumberBlock { first: u32::MAX, count: u32::MAX }).is_none());
+}
+
+#[test]
+fn the_only_region_of_a_plan_goes_on_with_other_numbers_too() {
+    let mut plan = SpaceBuilder::new();
+    let flat = plan.add(Region::new(RegionKind::Unit, "flat").with_numbers(10)).unwrap();
+    let mut world = RegionGraphs::new(plan.build().into());
+    let mut scene = SceneBuilder::new("flat");
+    scene.add(Draft::new("hallway")).unwrap();
+    world.insert(flat, scene.build()).unwrap();
+    let mut edit = world.edit(flat).unwrap();
+    let me = edit.add(Draft::new("character")).unwrap();
+    edit.commit();
+    assert!(NumberBlock::OVERFLOW.has(me));
+    assert_eq!(world.region_of(me), Some(flat));
+    assert!(world.step(me, &vc_graph::Action::zero(vc_graph::Verb::Wave)).is_ok());
+}
+
+#[test]
 fn a_door_lets_through_what_its_leaf_lets_through_also_while_its_region_is_dormant() {
     let mut plan = SpaceBuilder::new();
     let home = Region::new(RegionKind::Unit, "home").with_numbers(100);

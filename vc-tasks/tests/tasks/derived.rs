@@ -4,7 +4,7 @@
 
 use vc_graph::{Draft, NodeId, SceneBuilder, SceneGraph, Seed, Simulator, State, Vocabulary, Word};
 use vc_tasks::Task;
-use vc_tasks::format::pddl::{Keep, OperatorEffect, planning};
+use vc_tasks::format::pddl::{AtomicFormula, Keep, OperatorEffect, planning};
 use vc_tasks::initial::{InitialGenerator, PlainStock};
 use vc_tasks::library::Activity;
 
@@ -63,6 +63,29 @@ fn an_activity_begins_with_what_its_definitions_need() {
     assert_eq!(made.scene.of_class("milk").len(), 1);
     assert!(made.scene.of_class("cup").iter().all(|id| made.scene.node(*id).unwrap().is(State::Clean)));
     assert_eq!(made.task.goal.to_string(), "Chilled(milk)", "the task keeps its words");
+}
+
+/// The last effect counts.
+#[test]
+fn a_domain_keeps_the_order_of_effects() {
+    let (mut scene, me) = kitchen();
+    let words = "verb smear 1 | needs: near x | effects: enter x dirty; leave x dirty
+                 verb stain 1 | needs: near x | effects: leave x dirty; enter x dirty";
+    scene.set_vocabulary(Vocabulary::parse("words.txt", words).unwrap());
+    let goal = "Dirty(cup) & !Dirty(fridge.5)".parse().unwrap();
+    let planning = planning(&scene, me, &goal, Keep::Everything).unwrap();
+    for (name, expected) in [("smear", ["not_dirty", "is_dirty"]), ("stain", ["is_dirty", "not_dirty"])] {
+        let operator = planning.domain.operators.iter().find(|operator| operator.name == name).unwrap();
+        let about = |atom: &AtomicFormula| expected.contains(&atom.predicate.as_str());
+        let said = operator.effect.iter().filter_map(|effect| match effect {
+            OperatorEffect::Add(atom) if about(atom) => Some((true, atom.predicate.as_str())),
+            OperatorEffect::Delete(atom) if about(atom) => Some((false, atom.predicate.as_str())),
+            _ => None,
+        });
+        let mut said: Vec<_> = said.collect();
+        said.sort_unstable();
+        assert_eq!(said, [(false, expected[1]), (true, expected[0])], "{name}");
+    }
 }
 
 #[test]

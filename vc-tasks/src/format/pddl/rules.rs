@@ -350,8 +350,7 @@ impl Way {
                 self.enter(words, variable(t), state);
             }
             Effect::Leave(t, state) => {
-                self.delete(is(state), &[variable(t)]);
-                self.add(is_not(state), &[variable(t)]);
+                self.settle(is_not(state), is(state), variable(t));
             }
             Effect::EnterOwn(state) => self.add(is(state), &[HANDS]),
             Effect::LeaveOwn(state) => self.delete(is(state), &[HANDS]),
@@ -389,16 +388,24 @@ impl Way {
 
     fn enter(&mut self, words: &Vocabulary, thing: &str, state: State) {
         for opposite in words.opposites(state).iter() {
-            self.delete(is(opposite), &[thing]);
-            self.add(is_not(opposite), &[thing]);
+            self.settle(is_not(opposite), is(opposite), thing);
         }
-        self.add(is(state), &[thing]);
-        self.delete(is_not(state), &[thing]);
+        self.settle(is(state), is_not(state), thing);
         match state {
             State::Open => self.add("lets_in", &[thing]),
             State::Closed => self.delete("lets_in", &[thing]),
             _ => {}
         }
+    }
+
+    /// One fact comes true of a thing and its negation false, whatever earlier effects of the action have said.
+    fn settle(&mut self, holds: String, fails: String, thing: &str) {
+        let [holds, fails] = [holds, fails].map(|predicate| AtomicFormula::new(predicate, &[thing]));
+        self.does.retain(|effect| match effect {
+            OperatorEffect::Add(atom) | OperatorEffect::Delete(atom) => *atom != holds && *atom != fails,
+            _ => true,
+        });
+        self.does.extend([OperatorEffect::Delete(fails), OperatorEffect::Add(holds)]);
     }
 
     /// Into the hand, from its support or from the body.
