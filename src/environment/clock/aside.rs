@@ -5,8 +5,9 @@ use vc_graph::clock::Span;
 use vc_graph::{NodeId, Pose};
 use vc_physics::{Posture, Route};
 
+use super::apart::APART;
 use super::conflict::WAIT;
-use super::passing::{APART, NARROW, SQUEEZED, Walk, spot};
+use super::passing::{Walk, spot};
 use super::schedule::{Phase, Schedule};
 use super::track::{Sidestep, Track, Way};
 use crate::environment::Environment;
@@ -14,12 +15,11 @@ use crate::environment::motion::BodyMotion;
 
 /// The time in which one who waits looks each time whether somebody can make way, and afterwards the time between.
 const EAGER: Span = Span(60);
-/// The time after which the first of two who wait for each other makes way.
-const PATIENCE: Span = Span(120);
-/// How far one steps aside, the distance of the spots that are tried, and the free floor around them, metres.
+/// The time after which the first of two who wait for each other makes way, and one who waits looks for another spot.
+pub(super) const PATIENCE: Span = Span(120);
+/// How far one steps aside, and the distance of the spots that are tried, metres.
 const ASIDE: f32 = 4.0;
 const BETWEEN: f32 = 0.15;
-const ROOM: f32 = 0.55;
 /// The distance in metres, and the angle in radians, from which on a body is elsewhere.
 const SAME: f32 = 1e-3;
 /// The number of spots to which a way is looked for.
@@ -32,13 +32,11 @@ impl Environment {
         let (from, to) = (spot(&self.world.pose(agent)?), spot(&walk.feet));
         let standing = self.standers(agent).into_iter().filter(|(id, _)| *id != other).map(|(_, at)| at);
         let rest: Vec<Point2<f32>> = standing.chain(self.claims(agent)).collect();
-        let is_good = |p: &Point2<f32>| rest.iter().chain([&from, &to]).all(|at| (at - p).norm() >= NARROW);
+        let is_good = |p: &Point2<f32>| rest.iter().chain([&from, &to]).all(|at| (at - p).norm() >= walk.apart);
         let straight = [&[from], walk.points].concat();
-        let clear = self.spots_around(other, |p| off(&straight, p) >= NARROW && is_good(p));
+        let clear = self.spots_around(other, |p| off(&straight, p) >= walk.apart && is_good(p));
         let near = self.spots_around(other, is_good);
-        let beside = |p, least| self.way_beside((agent, walk), (other, p), &rest, least);
-        let past = clear.into_iter().find_map(|p| beside(p, NARROW));
-        past.or_else(|| near.into_iter().find_map(|p| beside(p, SQUEEZED)))
+        clear.into_iter().chain(near).find_map(|p| self.way_beside((agent, walk), (other, p), &rest))
     }
 
     /// The one who stands in the way of a walk, if it is one only, has nothing to do, and it is time to look.
@@ -48,7 +46,7 @@ impl Environment {
         if waited > EAGER && waited.0 % PATIENCE.0 >= WAIT.0 {
             return None;
         }
-        let met = self.in_the_way(agent, &self.straight(agent, walk), NARROW);
+        let met = self.in_the_way(agent, &self.straight(agent, walk));
         met.first().copied().filter(|other| met.len() == 1 && self.is_idle(*other))
     }
 
@@ -64,17 +62,16 @@ impl Environment {
         (agent, walk): (NodeId, Walk<'_>),
         (other, aside): (NodeId, Point2<f32>),
         rest: &[Point2<f32>],
-        least: f32,
     ) -> Option<Way> {
-        let past = self.route_past(agent, spot(&walk.feet), &[rest, &[aside]].concat(), least)?;
+        let past = self.route_past(agent, spot(&walk.feet), &[rest, &[aside]].concat(), walk.apart)?;
         let from = spot(&self.world.pose(agent)?);
-        let step = self.route_past(other, aside, &[rest, &[from]].concat(), SQUEEZED)?;
+        let step = self.route_past(other, aside, &[rest, &[from, spot(&walk.feet)]].concat(), walk.apart)?;
         let feet = at(&self.world.pose(other)?, &aside);
-        let out = self.straight(other, Walk { points: &step.points, doors: &[], feet, run: false });
+        let out = self.straight(other, Walk { points: &step.points, doors: &[], feet, run: false, ..walk });
         let mut way = self.straight(agent, Walk { points: &past.points, doors: &past.doors, ..walk });
         way.begin = out.end();
         way.aside.push(Sidestep::new(other, out, way.end()));
-        (step.doors.is_empty() && self.is_clear(agent, &way, least)).then_some(way)
+        (step.doors.is_empty() && self.is_clear(agent, &way)).then_some(way)
     }
 
     /// Free spots around an agent, the nearest first.
@@ -119,15 +116,16 @@ impl Environment {
     /// number makes way, or the other one if it cannot.
     pub(super) fn steps_aside(&mut self, agent: NodeId) -> Option<BodyMotion> {
         let here = self.world.pose(agent)?;
-        let way = self.wanted_past(agent).into_iter().find(|way| off(way, &spot(&here)) < NARROW)?;
+        let way = self.wanted_past(agent).into_iter().find(|way| off(way, &spot(&here)) < APART)?;
+        let apart = self.distance(agent);
         self.floor.update(&self.world);
         let others: Vec<Point2<f32>> = self.standers(agent).into_iter().map(|(_, at)| at).collect();
         let taken = [others.clone(), self.claims(agent)].concat();
-        let is_good = |p: &Point2<f32>| off(&way, p) >= APART && taken.iter().all(|at| (at - p).norm() >= ROOM);
+        let is_good = |p: &Point2<f32>| off(&way, p) >= APART && taken.iter().all(|at| (at - p).norm() >= APART);
         self.spots_around(agent, is_good).into_iter().find_map(|p| {
-            let Route { points, doors, .. } = self.route_past(agent, p, &others, NARROW)?;
+            let Route { points, doors, .. } = self.route_past(agent, p, &others, apart)?;
             let step = BodyMotion::StepAside { points, doors, feet: at(&here, &p) };
-            self.is_clear(agent, &self.straight(agent, Walk::of(&step)?), NARROW).then_some(step)
+            self.is_clear(agent, &self.straight(agent, Walk { apart, ..Walk::of(&step)? })).then_some(step)
         })
     }
 

@@ -9,7 +9,7 @@ use vc_graph::{NodeId, Pose};
 use super::Interruption;
 use super::passing::{Walk, spot};
 use super::schedule::{Phase, Schedule};
-use super::track::{Leaf, Passage, Track, Way};
+use super::track::{Leaf, Passage, Track, Way, is_between_rooms};
 use crate::environment::{ActionError, Environment};
 
 /// The longest wait for others, and the steps in which a gap between them is looked for.
@@ -17,6 +17,8 @@ pub(super) const WAITS: Span = Span(600);
 pub(super) const WAIT: Span = Span(15);
 /// Ticks between poses that are compared.
 const COARSE: usize = 6;
+/// How many openings are tried to find room for a door.
+const TRIED: u32 = 20;
 
 impl Environment {
     pub(super) fn others(&self, agent: NodeId) -> impl Iterator<Item = (NodeId, &Schedule)> {
@@ -111,32 +113,56 @@ impl Environment {
                 *widest = widest.max(open);
             }
         }
-        doors.into_iter().for_each(|(door, open)| self.move_passed_door(door, open));
+        doors.into_iter().for_each(|(door, open)| self.move_passed_door(door, open, None));
     }
 
-    fn move_passed_door(&mut self, door: NodeId, open: f32) {
+    /// Moves a door that somebody passes or has passed, past those who walk and one more.
+    fn move_passed_door(&mut self, door: NodeId, open: f32, past: Option<NodeId>) {
         let now = self.world.parts(door).openness();
         if now.is_none_or(|now| (now - open).abs() <= 1e-3) {
             return;
         }
-        let walkers: Vec<NodeId> =
-            self.clock.running.iter().filter(|(_, s)| s.track.way().is_some()).map(|(a, _)| *a).collect();
+        let walks = |(agent, schedule): (&NodeId, &Schedule)| schedule.track.way().map(|_| *agent);
+        let past: Vec<NodeId> = self.clock.running.iter().filter_map(walks).chain(past).collect();
         // One that is locked, or does not fit in, stays.
-        if let Ok(Some(ends)) = self.world.parts(door).plan(open, &walkers) {
-            ends.iter().enumerate().for_each(|(part, open)| drop(self.world.put_open(door, Some(part), *open)));
+        if let Ok(Some(ends)) = self.world.parts(door).plan(open, &past) {
+            self.put_parts(door, &ends);
+        } else if !is_between_rooms(&self.graph, door) {
+            self.put_open_beside(door, open);
         }
     }
 
-    /// Doors that a walker has passed, or was about to, are as open as by themselves: if nobody else passes them, nor the
-    /// walker is in the doorway, who has been stopped there.
+    fn put_parts(&mut self, thing: NodeId, ends: &[f32]) {
+        ends.iter().enumerate().for_each(|(part, open)| drop(self.world.put_open(thing, Some(part), *open)));
+    }
+
+    /// Opens furniture in whose door's way somebody stands, as far as there is room for its door beside that one.
+    fn put_open_beside(&mut self, thing: NodeId, open: f32) {
+        let all: Vec<(NodeId, Pose)> =
+            self.world.agents().filter_map(|agent| Some((agent, self.world.pose(agent)?))).collect();
+        let agents: Vec<NodeId> = all.iter().map(|(agent, _)| *agent).collect();
+        let has_room = |agent: NodeId, feet: &Pose, open: f32| {
+            self.world.standing(agent, feet).is_ok_and(|there| there.is_free_with_open(thing, &[open]).unwrap_or(false))
+        };
+        let fits = |open: f32| all.iter().all(|(agent, feet)| has_room(*agent, feet, open));
+        let shares = (0..TRIED).map(|i| open * (TRIED - i) as f32 / TRIED as f32);
+        let ends =
+            shares.filter(|open| fits(*open)).find_map(|open| self.world.parts(thing).plan(open, &agents).ok()?);
+        ends.into_iter().for_each(|ends| self.put_parts(thing, &ends));
+    }
+
+    /// Doors that a walker has passed, or was about to, are as open as by themselves, if nobody else passes them; one in
+    /// whose doorway the walker has been stopped is as open as it was by then.
     pub(super) fn leave_doors(&mut self, agent: NodeId, way: &Way) {
         let now = self.tick();
-        for passage in &way.doors {
-            let others = self.ways(agent).any(|(_, theirs)| theirs.in_doorway(passage.door).is_some());
-            let inside =
-                way.in_doorway(passage.door).is_some_and(|(from, to)| from <= now && now <= to && now < way.end());
-            if !others && !inside {
-                self.move_passed_door(passage.door, passage.own);
+        let is_passed = |door| self.ways(agent).any(|(_, theirs)| theirs.in_doorway(door).is_some());
+        let left: Vec<&Passage> = way.doors.iter().filter(|passage| !is_passed(passage.door)).collect();
+        for passage in left {
+            let inside = |(from, to)| from <= now && now <= to && now < way.end();
+            if is_between_rooms(&self.graph, passage.door) && way.in_doorway(passage.door).is_some_and(inside) {
+                self.move_passed_door(passage.door, passage.open(way, now), Some(agent));
+            } else {
+                self.move_passed_door(passage.door, passage.own, None);
             }
         }
     }

@@ -52,10 +52,11 @@ pub enum Interruption {
         /// The agent that passes it.
         by: Label,
     },
-    /// Others stand in the way, and there is none round them; they have not left within ten seconds.
-    #[error("{} in the way: let them walk elsewhere first", .by.iter().map(Label::to_string).collect::<Vec<_>>().join(", "))]
+    /// Others are in the way and have not left within ten seconds, or a thing is that has come there; there is no way
+    /// round.
+    #[error("{} in the way: let them walk elsewhere first, or move what can be moved", .by.iter().map(Label::to_string).collect::<Vec<_>>().join(", "))]
     Blocked {
-        /// The agents that stand there.
+        /// The agents or the thing.
         by: Vec<Label>,
     },
     /// The transition rule allows the action no longer.

@@ -128,7 +128,7 @@ impl Environment {
         Ok(())
     }
 
-    fn plan(&mut self, agent: NodeId, task: Task) -> Result<Plan, PhysicalRefusal> {
+    pub(super) fn plan(&mut self, agent: NodeId, task: Task) -> Result<Plan, PhysicalRefusal> {
         let Some(schedule) = self.clock.running.get(&agent) else { return Ok(Plan::default()) };
         let (before, mut after) = (self.graph.clone(), self.graph.clone());
         if schedule.truth.is_none() {
@@ -331,7 +331,7 @@ impl Environment {
         self.clock.changed.push(agent);
         // A relation that cannot be told now is read at the end.
         drop(self.read_moved());
-        if self.graph.near(agent, goal) {
+        if self.graph.near(agent, goal) && self.graph.room_of(agent) == self.graph.room_of(goal) {
             return Ok(false);
         }
         if chases >= CHASES {
@@ -413,18 +413,33 @@ impl Environment {
 
     /// Ends an action where its motion is.
     pub(super) fn stop(&mut self, agent: NodeId, error: ActionError) {
-        let now = self.tick();
         let Some(schedule) = self.clock.running.remove(&agent) else { return };
-        if let Some(feet) = schedule.track.feet(now) {
-            // It stood there before.
-            let _ = self.world.teleport(agent, feet);
-        }
+        self.stay(agent, &schedule.track);
         if let (Phase::Pushes(..), Some(BodyMotion::Drive(drive))) = (schedule.phase, &schedule.motion) {
             let parts = self.world.parts(drive.id).all();
             // Its motors stop where they are.
             (0..).zip(parts).for_each(|(part, now)| drop(self.world.put_open(drive.id, Some(part), now.open)));
         }
-        match &schedule.track {
+        let broken: Vec<NodeId> = schedule.action.things().chain(self.graph.carried_with(agent)).collect();
+        for truth in self.clock.running.values_mut().filter_map(|other| other.truth.as_mut()) {
+            truth.excused.extend(&broken);
+        }
+        self.clock.changed.extend(broken);
+        // Others decide by what they see now; what cannot be told is read when all rests.
+        drop(self.read_moved());
+        // An action whose effects have come true has been done, however its motions end.
+        let done = schedule.truth.is_some() && matches!(error, ActionError::Interrupted { .. });
+        self.end(agent, schedule.action, if done { Ok(()) } else { Err(error) });
+    }
+
+    /// Leaves an agent, and what it moves, where its motion has brought them.
+    pub(super) fn stay(&mut self, agent: NodeId, track: &Track) {
+        let now = self.tick();
+        if let Some(feet) = track.feet(now) {
+            // It stood there before.
+            let _ = self.world.teleport(agent, feet);
+        }
+        match track {
             Track::Way(way) => {
                 way.aside.iter().for_each(|step| self.step_to(step.agent, step.feet(now)));
                 self.leave_doors(agent, way);
@@ -437,17 +452,7 @@ impl Environment {
             }
             Track::Turn(_) | Track::Still => {}
         }
-        let broken: Vec<NodeId> = schedule.action.things().chain(self.graph.carried_with(agent)).collect();
-        for truth in self.clock.running.values_mut().filter_map(|other| other.truth.as_mut()) {
-            truth.excused.extend(&broken);
-        }
         (self.clock.stirred, self.clock.unseen) = (true, true);
-        self.clock.changed.extend(broken);
         self.clock.changed.push(agent);
-        // Others decide by what they see now; what cannot be told is read when all rests.
-        drop(self.read_moved());
-        // An action whose effects have come true has been done, however its motions end.
-        let done = schedule.truth.is_some() && matches!(error, ActionError::Interrupted { .. });
-        self.end(agent, schedule.action, if done { Ok(()) } else { Err(error) });
     }
 }

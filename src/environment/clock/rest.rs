@@ -1,6 +1,6 @@
 //! The ends of actions: what they moved rests, is read, and is compared with the rule.
 
-use vc_graph::{Action, Effect, NodeId, Pose, SceneGraph, State, rule};
+use vc_graph::{Action, Effect, NodeId, Pose, Relation, SceneGraph, State, rule};
 use vc_physics::{BodyRole, Hand};
 
 use super::schedule::{NEVER, Phase};
@@ -193,20 +193,34 @@ impl Environment {
     /// Whether a thing is loose and no part of what an action is about: neither one of its things nor
     /// on or in one, nor with the agent. A thing on one that is only opened or closed has no part in that.
     fn is_bystander(&self, id: NodeId, agent: NodeId, action: &Action) -> bool {
-        let effects = rule::effects(self.graph.vocabulary(), action);
-        let opens = effects.iter().any(|effect| matches!(effect, Effect::Enter(_, State::Open | State::Closed)));
+        let opens = !self.opened_or_closed(action).is_empty();
         let carried = |about: NodeId| (!opens || about == agent) && self.graph.rests_at(id, about);
         let of_it = |about: NodeId| id == about || carried(about) || self.graph.rests_at(about, id);
         self.world.role(id) == Some(BodyRole::Loose) && !action.things().chain([agent]).any(of_it)
     }
 
+    /// The things that an action opens or closes.
+    fn opened_or_closed(&self, action: &Action) -> Vec<NodeId> {
+        let thing = |effect| match effect {
+            Effect::Enter(id, State::Open | State::Closed) => Some(id),
+            _ => None,
+        };
+        rule::effects(self.graph.vocabulary(), action).into_iter().filter_map(thing).collect()
+    }
+
     /// The agents that are doing something else, what they carry, and what their actions are about.
     fn owned_by_others(&self, but: NodeId, before: &SceneGraph) -> Vec<NodeId> {
+        let own = self.clock.running.get(&but).map(|schedule| schedule.action);
+        let about = |id: NodeId| own.is_some_and(|action| action.things().any(|thing| thing == id));
         let mut all = Vec::new();
         for (&agent, schedule) in self.clock.running.iter().filter(|(agent, _)| **agent != but) {
             all.extend(self.graph.carried_with(agent).into_iter().chain(before.carried_with(agent)));
             all.push(agent);
             all.extend(schedule.action.things());
+            // What is on a door that they move goes with it.
+            let moved = self.opened_or_closed(&schedule.action);
+            let inside = moved.into_iter().flat_map(|thing| before.relating(Relation::Inside, thing));
+            all.extend(inside.filter(|id| !about(*id)));
             if let Track::Way(way) = &schedule.track {
                 all.extend(way.doors.iter().map(|passage| passage.door));
             }

@@ -88,6 +88,8 @@ pub(super) struct Way {
     pub(super) speed: f32,
     pub(super) from: Pose,
     pub(super) to: Pose,
+    /// The distance from those who stand, metres.
+    pub(super) apart: f32,
     pub(super) doors: Vec<Passage>,
     /// Those who make way for the walker.
     pub(super) aside: Vec<Sidestep>,
@@ -190,8 +192,7 @@ impl Passage {
         let far = |at: f32| along(points, at).map(|(p, _)| ((p - middle).norm(), at));
         let all = (0..=(length / FINE) as u32).filter_map(|i| far(i as f32 * FINE));
         let (_, at) = all.min_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or_default();
-        let is_room_door = graph.related(door, Relation::Between).next().is_some();
-        Some(Self { door, own, wide: if is_room_door { 1.0 } else { 0.0 }, at })
+        Some(Self { door, own, wide: if is_between_rooms(graph, door) { 1.0 } else { 0.0 }, at })
     }
 
     /// The ticks at which the door begins to open, is open, begins to shut, and is as before.
@@ -202,7 +203,7 @@ impl Passage {
         [opens, opens + swing, shuts, shuts + swing]
     }
 
-    fn open(&self, way: &Way, at: Tick) -> f32 {
+    pub(super) fn open(&self, way: &Way, at: Tick) -> f32 {
         let [opens, open, shuts, shut] = self.ticks(way);
         let share = |from: Tick, to: Tick| (at - from).0 as f32 / (to - from).0.max(1) as f32;
         match at {
@@ -265,6 +266,11 @@ impl Leaf {
         };
         self.parts.iter().map(open).collect()
     }
+}
+
+/// Whether a thing is a door between rooms.
+pub(super) fn is_between_rooms(graph: &SceneGraph, door: NodeId) -> bool {
+    graph.related(door, Relation::Between).next().is_some()
 }
 
 /// The position and direction after a distance in metres along a path; `None` beyond its end.

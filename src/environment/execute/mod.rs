@@ -26,6 +26,7 @@ pub(super) use perform::Bodies;
 pub(super) use planner::{Plan, Planner};
 pub(super) use put::{comes_along, load_of};
 pub(super) use spot::FreeSpot;
+pub(super) use stand::APART;
 pub(super) use step::Step;
 pub(super) use task::Task;
 

@@ -11,8 +11,8 @@ use crate::environment::PhysicalRefusal;
 use crate::environment::motion::BodyMotion;
 use crate::environment::outlook;
 
-/// Free floor that agents keep from each other, metres.
-pub(super) const APART: f32 = 0.55;
+/// Distance between agents that stand, metres: two bodies side by side.
+pub(in crate::environment) const APART: f32 = 0.55;
 /// How far an agent keeps from where the next room begins, metres, so that it is plain in which room it is.
 const INNER: f32 = 0.1;
 /// Within this distance a thing counts as near to the agent that walked up to it, metres.
