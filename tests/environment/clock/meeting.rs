@@ -141,7 +141,6 @@ fn keep_apart(amount: u64, interrupted: bool) {
             }
         }
     }
-    eprintln!("{done} done, {blocked} blocked, {narrow} of {looks} narrow");
     assert!(bad.is_empty(), "{bad:#?}");
     assert!(narrow * 20 < looks, "{narrow} of {looks} are narrow");
     assert!(done > blocked * 20, "{done} done, {blocked} blocked");
