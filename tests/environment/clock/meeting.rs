@@ -148,12 +148,12 @@ fn keep_apart(amount: u64, interrupted: bool) {
 
 #[test]
 fn walkers_keep_apart() {
-    keep_apart(vc_testkit::amount(2, 40), false);
+    keep_apart(vc_testkit::amount(1, 40), false);
 }
 
 #[test]
 fn those_who_are_stopped_are_not_walked_through() {
-    keep_apart(vc_testkit::amount(3, 50), true);
+    keep_apart(vc_testkit::amount(2, 50), true);
 }
 
 /// However time is divided, and in whatever order the orders of one tick come, and when the home is saved and restored
