@@ -368,7 +368,7 @@ impl Environment {
     /// Lets all come to rest and observes it.
     fn settle(&mut self, changed: &[NodeId]) -> Result<(), AlterError> {
         come_to_rest(&mut self.world);
-        observe::look_again(&mut self.graph, &self.start, &self.world, &mut self.relations, changed)?;
+        observe::look_again(&mut self.graph, &self.start, &mut self.world, &mut self.relations, changed)?;
         self.floor.update(&self.world);
         self.clock.scene_changed();
         Ok(())

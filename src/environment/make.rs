@@ -162,10 +162,11 @@ impl Environment {
     }
 
     fn begin(mut graph: SceneGraph, made: Made, settings: &EnvironmentSettings) -> Result<Self, MakeError> {
-        let Made { world, floor, shapes, left_out, staying, at_rest, assets, told, passages } = made;
+        let Made { mut world, floor, shapes, left_out, staying, at_rest, assets, told, passages } = made;
         let scene = graph.clone();
         observe::write_poses(&mut graph, &world)?;
         let relations = read_relations(&mut graph, &world, settings)?;
+        world.forget_moved();
         let traced = graph.clone();
         let mut elsewhere = if at_rest {
             boxes::keep_all(&scene, &mut graph).map(|()| Vec::new())?

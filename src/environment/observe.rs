@@ -3,7 +3,7 @@
 use vc_graph::{Change, ChangeSet, Edge, EditError, NodeId, Place, Pose, Property, Relation, SceneGraph, State};
 use vc_physics::{BodyRole, PhysicsWorld};
 use vc_relations::threshold::FACING_COSINE;
-use vc_relations::{Evidence, Relations};
+use vc_relations::{Evidence, NodeEvidence, Relations};
 
 use super::{PhysicalRefusal, Start, boxes};
 
@@ -12,36 +12,58 @@ const WORN: f32 = 0.9;
 /// The distance over the floor within which a thing counts as straight above or below: one looks up, metres.
 const ABOVE: f32 = 0.1;
 
-/// Writes the poses of bodies and of worn things into the graph, and returns the nodes whose pose changed.
+/// Writes the poses of all bodies and of worn things into the graph, and returns the nodes whose pose changed.
 pub(super) fn write_poses(graph: &mut SceneGraph, world: &PhysicsWorld) -> Result<(Vec<NodeId>, ChangeSet), EditError> {
+    write_poses_of(graph, world, &world.nodes(), &[])
+}
+
+/// Writes the poses of some bodies and of things that are worn by some agents or are themselves named, and returns the
+/// nodes whose pose changed.
+fn write_poses_of(
+    graph: &mut SceneGraph,
+    world: &PhysicsWorld,
+    bodies: &[NodeId],
+    changed: &[NodeId],
+) -> Result<(Vec<NodeId>, ChangeSet), EditError> {
     let elsewhere = |(id, pose): &(NodeId, Pose)| graph.node(*id).is_some_and(|n| n.pose() != Some(pose));
-    let poses = world.poses().into_iter().chain(worn(graph, world));
+    let poses = bodies.iter().filter_map(|id| Some((*id, world.pose(*id)?)));
+    let meant = |id: &NodeId, wearer: &NodeId| bodies.binary_search(wearer).is_ok() || changed.contains(id);
+    let worn = worn(graph, world).into_iter().filter(|(id, wearer, _)| meant(id, wearer));
+    let poses = poses.chain(worn.map(|(id, _, pose)| (id, pose)));
     let moved: Vec<(NodeId, Pose)> = poses.filter(elsewhere).collect();
     let mut edit = graph.edit();
     moved.iter().try_for_each(|(id, pose)| edit.set_pose(*id, Some(*pose)))?;
     Ok((moved.into_iter().map(|(id, _)| id).collect(), edit.commit()))
 }
 
-/// Worn things with their poses: they have no body and move with their wearer.
-fn worn(graph: &SceneGraph, world: &PhysicsWorld) -> Vec<(NodeId, Pose)> {
+/// Worn things, their wearers and their poses: they have no body and move with their wearer.
+fn worn(graph: &SceneGraph, world: &PhysicsWorld) -> Vec<(NodeId, NodeId, Pose)> {
     let at = |agent: NodeId| Some(world.pose(agent)? * Pose::translation(0.0, 0.0, WORN));
     let wearers = world.agents().filter_map(|agent| Some((agent, at(agent)?)));
-    wearers.flat_map(|(agent, at)| graph.relating(Relation::WornBy, agent).map(move |id| (id, at))).collect()
+    let by = |(agent, at)| graph.relating(Relation::WornBy, agent).map(move |id| (id, agent, at));
+    wearers.flat_map(by).collect()
 }
 
 /// The facts that relations cannot observe: the positions of doors and drawers, and the things that hands
 /// carry.
 pub(super) fn evidence(world: &PhysicsWorld) -> Evidence {
-    let carried = world.nodes().into_iter().filter(|id| world.role(*id) == Some(BodyRole::Carried));
+    let carried = world.nodes().into_iter().filter(|id| is_carried(world, *id));
     let mut evidence = Evidence::default().carrying(carried);
     for id in world.nodes() {
-        for (joint, part) in (0..).zip(world.parts(id).all()) {
-            if part.position != 0.0 {
-                evidence.positions.insert((id, joint), part.position);
-            }
-        }
+        let parts = (0..).zip(world.parts(id).all()).filter(|(_, part)| part.position != 0.0);
+        evidence.positions.extend(parts.map(|(joint, part)| ((id, joint), part.position)));
     }
     evidence
+}
+
+/// These facts about one node.
+fn evidence_of(world: &PhysicsWorld, node: NodeId) -> NodeEvidence {
+    let positions = world.parts(node).all().into_iter().map(|part| part.position).collect();
+    NodeEvidence { node, positions, is_carried: is_carried(world, node) }
+}
+
+fn is_carried(world: &PhysicsWorld, id: NodeId) -> bool {
+    world.role(id) == Some(BodyRole::Carried)
 }
 
 /// Observes again the things that have moved or changed, and writes poses and relations into the graph. Returns
@@ -49,19 +71,21 @@ pub(super) fn evidence(world: &PhysicsWorld) -> Evidence {
 ///
 /// `changed` lists the nodes that the rule puts elsewhere. The resulting graph equals that of a scene read
 /// anew, whatever the graph said before; a thing that has not moved keeps the places that the scene gave it,
-/// and one that only opens keeps all its places.
+/// and one that only opens keeps all its places. The costs are those of what has been disturbed since the last time.
 pub(super) fn look_again(
     graph: &mut SceneGraph,
     start: &Start,
-    world: &PhysicsWorld,
+    world: &mut PhysicsWorld,
     relations: &mut Relations,
     changed: &[NodeId],
 ) -> Result<(Vec<NodeId>, ChangeSet), PhysicalRefusal> {
-    let (moved, poses) = write_poses(graph, world)?;
+    let disturbed = world.moved();
+    let (moved, poses) = write_poses_of(graph, world, &disturbed, changed)?;
     let stay = graph.agents().iter().filter(|agent| !moved.contains(agent));
     let faced: Vec<Edge> = stay.flat_map(|agent| faced_by(graph, *agent)).collect();
     let all = [moved.as_slice(), changed].concat();
-    let met = relations.update_with(graph, &all, evidence(world))?;
+    let evidence: Vec<NodeEvidence> = disturbed.into_iter().map(|id| evidence_of(world, id)).collect();
+    let met = relations.update_nodes(graph, &all, &evidence)?;
     let kept = |graph: &SceneGraph, id: NodeId| {
         boxes::still_at(start, graph, world, id)
             .or_else(|| boxes::unmoved_at(graph, world, id, &moved))
@@ -69,6 +93,7 @@ pub(super) fn look_again(
     };
     let edges = relations.write_except(graph, &met, kept)?;
     let facing = keep_facing(graph, faced);
+    world.forget_moved();
     Ok((met, poses.then(edges).then(facing)))
 }
 

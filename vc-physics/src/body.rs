@@ -84,7 +84,7 @@ impl PhysicsWorld {
             return Err(PhysicsError::NotFinite("the impulse", id));
         }
         let body = self.loosen(id)?;
-        if let Some(rigid) = self.engine.bodies.get_mut(body) {
+        if let Some(rigid) = self.engine.body_mut(body) {
             rigid.apply_impulse_at_point(convert::vector(impulse), convert::point(at), true);
         }
         Ok(())
@@ -108,7 +108,7 @@ impl PhysicsWorld {
             return Err(PhysicsError::NotFinite("the velocity", id));
         }
         let body = self.loosen(id)?;
-        if let Some(rigid) = self.engine.bodies.get_mut(body) {
+        if let Some(rigid) = self.engine.body_mut(body) {
             rigid.set_linvel(convert::vector(linear), true);
             rigid.set_angvel(convert::vector(spin), true);
         }
@@ -121,7 +121,7 @@ impl PhysicsWorld {
     /// [`PhysicsError::NoBody`], [`PhysicsError::NotFree`].
     pub fn wake(&mut self, id: NodeId) -> Result<(), PhysicsError> {
         let body = self.loosen(id)?;
-        if let Some(rigid) = self.engine.bodies.get_mut(body) {
+        if let Some(rigid) = self.engine.body_mut(body) {
             rigid.wake_up(true);
         }
         Ok(())
@@ -181,7 +181,7 @@ impl PhysicsWorld {
             BodyRole::Carried => RigidBodyType::KinematicPositionBased,
             _ => RigidBodyType::Fixed,
         };
-        let Some(rigid) = self.engine.bodies.get_mut(base) else { return Ok(()) };
+        let Some(rigid) = self.engine.body_mut(base) else { return Ok(()) };
         rigid.set_body_type(kind, true);
         if rigid.is_fixed() {
             rigid.set_rotation(steady(*rigid.rotation()), true);

@@ -39,7 +39,7 @@ impl PhysicsWorld {
         let base = self.thing(id)?.state.base;
         let vehicle = self.vehicles.get_mut(&id).ok_or(PhysicsError::NoVehicle(id))?;
         vehicle.controls = controls;
-        if let Some(body) = self.engine.bodies.get_mut(base).filter(|_| controls.throttle != 0.0) {
+        if let Some(body) = self.engine.body_mut(base).filter(|_| controls.throttle != 0.0) {
             body.wake_up(true);
         }
         Ok(())

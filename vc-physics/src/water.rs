@@ -113,7 +113,7 @@ impl PhysicsWorld {
         let loose = self.things.iter().filter(|t| t.state.role == BodyRole::Loose).map(|t| t.state.base);
         let bodies: Vec<_> = loose.collect();
         for body in bodies {
-            if let Some(rigid) = self.engine.bodies.get_mut(body) {
+            if let Some(rigid) = self.engine.body_mut(body) {
                 let centre = convert::point3(rigid.center_of_mass());
                 if water.holds(&centre) && centre.z <= water.level() {
                     rigid.wake_up(true);
@@ -131,7 +131,7 @@ impl PhysicsWorld {
         let (dt, gravity) = (self.engine.dt(), self.settings.gravity);
         let awake: Vec<_> = self.engine.awake_bodies().collect();
         for handle in awake {
-            let Some(body) = self.engine.bodies.get_mut(handle).filter(|b| b.is_dynamic()) else { continue };
+            let Some(body) = self.engine.body_mut(handle).filter(|b| b.is_dynamic()) else { continue };
             let_go(body);
             let (id, link) = crate::group::marked(body.user_data);
             let (centre, pose) = (convert::point3(body.center_of_mass()), convert::isometry(body.position()));
@@ -139,7 +139,7 @@ impl PhysicsWorld {
             let Ok(thing) = self.thing(id) else { continue };
             let Some(link) = thing.form.links.get(link) else { continue };
             let below = submerged(link.mesh(), &pose, water.level());
-            if let (Some(below), Some(body)) = (below, self.engine.bodies.get_mut(handle)) {
+            if let (Some(below), Some(body)) = (below, self.engine.body_mut(handle)) {
                 float(body, &below, dt, gravity);
             }
         }

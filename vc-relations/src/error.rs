@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use vc_graph::{Asset, AssetId, AssetLibrary, Edge, Label, Node, NodeId, Relation, SceneGraph};
 
-use crate::evidence::Evidence;
+use crate::evidence::{Evidence, NodeEvidence};
 use crate::threshold::{BOX_GAP, ROTATION_SLACK, WORLD_REACH};
 
 /// A flaw of a scene, or of the evidence about it.
@@ -199,4 +199,15 @@ pub(crate) fn check_evidence(graph: &SceneGraph, evidence: &Evidence) -> Result<
     let not_holding = |e: &Edge| InputFlaw::NotHolding { from: label(e.from), relation: e.relation, to: label(e.to) };
     flaws.extend(held.map(not_holding));
     refuse_if_any(flaws)
+}
+
+/// # Errors
+/// Every position of a moving part that is no number.
+pub(crate) fn check_positions(graph: &SceneGraph, evidence: &[NodeEvidence]) -> Result<(), InputError> {
+    let flawed = evidence.iter().filter(|said| !said.positions.iter().all(|p| p.is_finite()));
+    let flaw = |said: &NodeEvidence| InputFlaw::NotFinite {
+        node: graph.label(said.node),
+        what: "the position of a moving part",
+    };
+    refuse_if_any(flawed.map(flaw).collect())
 }

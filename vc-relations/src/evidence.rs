@@ -107,3 +107,45 @@ impl Evidence {
         self
     }
 }
+
+/// The evidence about one node as a physics engine has it now: it takes the place of what was known of that node.
+#[derive(Debug, Clone, PartialEq)]
+pub struct NodeEvidence {
+    /// The node.
+    pub node: NodeId,
+    /// Positions of its joints by number, metres or radians; those that are left out are zero.
+    pub positions: Vec<f32>,
+    /// Whether it moves with somebody's hands. It counts only where [`Evidence::carried`] is given.
+    pub is_carried: bool,
+}
+
+impl Evidence {
+    /// What is known of one node.
+    pub(crate) fn of(&self, node: NodeId) -> NodeEvidence {
+        let mut positions = Vec::new();
+        for ((_, joint), position) in self.positions.range((node, 0)..=(node, u32::MAX)) {
+            positions.resize(*joint as usize, 0.0);
+            positions.push(*position);
+        }
+        let is_carried = self.carried.as_ref().is_some_and(|all| all.contains(&node));
+        NodeEvidence { node, positions, is_carried }
+    }
+
+    /// Takes what is said of one node; whether it is something new.
+    pub(crate) fn take(&mut self, said: &NodeEvidence) -> bool {
+        let known = self.of(said.node);
+        for joint in 0..known.positions.len() as u32 {
+            self.positions.remove(&(said.node, joint));
+        }
+        let moved = (0..).zip(&said.positions).filter(|(_, position)| **position != 0.0);
+        self.positions.extend(moved.map(|(joint, position)| ((said.node, joint), *position)));
+        if let Some(carried) = &mut self.carried {
+            if said.is_carried {
+                carried.insert(said.node)
+            } else {
+                carried.remove(&said.node)
+            };
+        }
+        self.of(said.node) != known
+    }
+}

@@ -84,6 +84,17 @@ impl Facts {
         hinged.chain(self.pushed.get(&id).into_iter().flat_map(|others| others.keys().copied()))
     }
 
+    /// Takes from evidence whether a node moves with somebody's hands.
+    pub(crate) fn read_carried(&mut self, id: NodeId, evidence: &Evidence) {
+        if let (Some(ours), Some(all)) = (&mut self.carried, &evidence.carried) {
+            if all.contains(&id) {
+                ours.insert(id)
+            } else {
+                ours.remove(&id)
+            };
+        }
+    }
+
     /// Whether a thing is known to move with somebody's hands.
     pub(crate) fn is_carried(&self, thing: NodeId) -> bool {
         self.carried.as_ref().is_some_and(|all| all.contains(&thing))

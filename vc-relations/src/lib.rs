@@ -53,7 +53,7 @@
 //! | type | purpose |
 //! |---|---|
 //! | [`Relations`] | the relations of a scene: [`edges`](Relations::edges), [`edges_of`](Relations::edges_of), [`has`](Relations::has); [`update`](Relations::update) after moves |
-//! | [`Evidence`] | contacts, joints, positions of drawers and doors, held things |
+//! | [`Evidence`], [`NodeEvidence`] | contacts, joints, positions of drawers and doors, held things; what has changed about one node |
 //! | [`Support`], [`Near`], [`NearSide`] | the figures behind on and near |
 //! | [`Proximity`] | named degrees of nearness: touching distance, arm's reach, near, behind a wall, far |
 //! | [`Explanation`] | why a relation holds or does not: which trace hit which thing, and where; depth in rooms, angle off the front, distances from seat and hook |
@@ -119,7 +119,7 @@ mod write;
 
 pub use box_trace::BoxTrace;
 pub use error::{InputError, InputFlaw, check_sizes};
-pub use evidence::{Attachment, ContactEvidence, Evidence};
+pub use evidence::{Attachment, ContactEvidence, Evidence, NodeEvidence};
 pub use explanation::{BoxTraceHit, Containment, Explanation, Hit, Hook, Seat, Sight, TraceOutcome};
 pub use near::NearSide;
 pub use proximity::Proximity;

@@ -2,8 +2,8 @@
 
 use vc_graph::{Aabb, Edge, NodeId, SceneGraph};
 
-use crate::error::{InputError, check_evidence, check_nodes};
-use crate::evidence::Evidence;
+use crate::error::{InputError, check_evidence, check_nodes, check_positions};
+use crate::evidence::{Evidence, NodeEvidence};
 use crate::facts::{Facts, hands_of};
 use crate::relations::Relations;
 use crate::rule::RelationRule;
@@ -57,6 +57,48 @@ impl Relations {
             (self.facts, self.evidence) = before;
         }
         done
+    }
+
+    /// [`Self::update`] after the evidence about some nodes has changed. It equals [`Self::update_with`] with the whole
+    /// evidence, and costs nothing for the nodes that are not named.
+    ///
+    /// # Errors
+    /// As [`Self::update_with`].
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    /// use vc_relations::{Evidence, NodeEvidence, Relations};
+    /// let mut relations = Relations::new(&home.graph, Default::default(), Evidence::default())?;
+    /// let open = NodeEvidence { node: home.cabinet, positions: vec![0.3], is_carried: false };
+    /// let met = relations.update_nodes(&home.graph, &[], &[open])?;
+    /// assert!(met.contains(&home.cabinet));
+    /// assert_eq!(relations.evidence(), &Evidence::default().positioned(home.cabinet, 0, 0.3));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn update_nodes(
+        &mut self,
+        graph: &SceneGraph,
+        changed: &[NodeId],
+        evidence: &[NodeEvidence],
+    ) -> Result<Vec<NodeId>, InputError> {
+        check_positions(graph, evidence)?;
+        let before: Vec<NodeEvidence> = evidence.iter().map(|said| self.evidence.of(said.node)).collect();
+        let mut changed = changed.to_vec();
+        changed.extend(evidence.iter().filter_map(|said| self.take(said).then_some(said.node)));
+        let done = self.update(graph, &changed);
+        if done.is_err() {
+            for known in before.iter().rev() {
+                self.take(known);
+            }
+        }
+        done
+    }
+
+    /// Takes what is said of one node; whether it is something new.
+    fn take(&mut self, said: &NodeEvidence) -> bool {
+        let is_new = self.evidence.take(said);
+        self.facts.read_carried(said.node, &self.evidence);
+        is_new
     }
 
     /// Reads nodes again that have moved, been added or removed, or changed their state or the things they

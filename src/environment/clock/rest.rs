@@ -51,8 +51,8 @@ impl Environment {
         if !self.start.time.bodies || (changed.is_empty() && !std::mem::take(&mut self.clock.unseen)) {
             return Ok(None);
         }
-        let (graph, relations) = (&mut self.graph, &mut self.relations);
-        let (met, seen) = observe::look_again(graph, &self.start, &self.world, relations, &changed)?;
+        let (graph, world, relations) = (&mut self.graph, &mut self.world, &mut self.relations);
+        let (met, seen) = observe::look_again(graph, &self.start, world, relations, &changed)?;
         self.clock.read = None;
         let fallen = astray::fell_out(&self.world, &seen);
         self.clock.note(seen);

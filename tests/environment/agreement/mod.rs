@@ -19,9 +19,8 @@ fn edges(graph: &SceneGraph) -> Vec<Edge> {
     edges
 }
 
-/// The scene's relations read anew from its poses, the positions of its doors and the things that hands carry. A
-/// thing that stands open keeps its places, as it has not moved: its open door may touch another wall.
-fn rebuilt(home: &Environment) -> SceneGraph {
+/// The positions of all doors and the things that hands carry, read anew.
+fn evidence(home: &Environment) -> Evidence {
     let world = home.world();
     let carried = world.nodes().into_iter().filter(|id| world.role(*id) == Some(BodyRole::Carried));
     let mut evidence = Evidence::default().carrying(carried);
@@ -29,7 +28,14 @@ fn rebuilt(home: &Environment) -> SceneGraph {
         let turned = (0..).zip(world.parts(id).all()).filter(|(_, part)| part.position != 0.0);
         evidence.positions.extend(turned.map(|(joint, part)| ((id, joint), part.position)));
     }
-    let relations = Relations::new(home.graph(), RelationRule::Contacts, evidence).unwrap();
+    evidence
+}
+
+/// The scene's relations read anew from its poses, the positions of its doors and the things that hands carry. A
+/// thing that stands open keeps its places, as it has not moved: its open door may touch another wall.
+fn rebuilt(home: &Environment) -> SceneGraph {
+    let world = home.world();
+    let relations = Relations::new(home.graph(), RelationRule::Contacts, evidence(home)).unwrap();
     let mut graph = home.graph().clone();
     let all: Vec<NodeId> = graph.nodes().map(Node::id).collect();
     let is_open = |id: NodeId| world.parts(id).all().iter().any(|part| part.position != 0.0);
@@ -46,7 +52,12 @@ fn apart(graph: &SceneGraph, one: &[Edge], other: &[Edge]) -> Vec<String> {
     only.map(|e| format!("{} {} {}", graph.label(e.from), e.relation, graph.label(e.to))).collect()
 }
 
+/// The graph has all bodies where they are, and its relations are as read anew, though only what has moved is read.
 fn assert_as_rebuilt(home: &Environment, after: &str) {
+    for (id, pose) in home.world().poses() {
+        assert_eq!(home.graph().node(id).unwrap().pose(), Some(&pose), "{after}: {}", home.graph().label(id));
+    }
+    assert!(home.relations().evidence() == &evidence(home), "{after}: doors or hands");
     let (kept, read) = (edges(home.graph()), edges(&rebuilt(home)));
     let (lost, left) = (apart(home.graph(), &read, &kept), apart(home.graph(), &kept, &read));
     assert!(lost.is_empty() && left.is_empty(), "{after}: not in the graph {lost:?}, only in the graph {left:?}");

@@ -95,7 +95,7 @@ impl PhysicsWorld {
         let Some(limit) = self.agents.get(&id).map(|a| a.plan.pushes) else { return };
         let Some(body) = self.engine.colliders.get(hit.handle).and_then(|c| c.parent()) else { return };
         let dt = self.settings.dt;
-        let Some(rigid) = self.engine.bodies.get_mut(body).filter(|b| b.is_dynamic() && b.mass() <= limit) else {
+        let Some(rigid) = self.engine.body_mut(body).filter(|b| b.is_dynamic() && b.mass() <= limit) else {
             return;
         };
         let Some(way) = wish.try_normalize(1e-3) else { return };

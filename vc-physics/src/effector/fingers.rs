@@ -89,7 +89,7 @@ impl PhysicsWorld {
         }
         if open != before {
             self.engine.refresh(body);
-            if let Some(hand) = self.engine.bodies.get_mut(body) {
+            if let Some(hand) = self.engine.body_mut(body) {
                 hand.wake_up(true);
             }
         }

@@ -110,7 +110,7 @@ impl PhysicsWorld {
 
     /// Lets a carried body meet others.
     fn become_solid(&mut self, base: RigidBodyHandle) {
-        let Some(rigid) = self.engine.bodies.get_mut(base) else { return };
+        let Some(rigid) = self.engine.body_mut(base) else { return };
         rigid.set_body_type(RigidBodyType::Dynamic, true);
         for collider in rigid.colliders().to_vec() {
             if let Some(collider) = self.engine.colliders.get_mut(collider) {

@@ -62,7 +62,7 @@ impl PhysicsWorld {
             return self.make_effector(agent, hand, goal);
         };
         if std::mem::replace(&mut effector.goal, goal) != goal
-            && let Some(body) = self.engine.bodies.get_mut(effector.body)
+            && let Some(body) = self.engine.body_mut(effector.body)
         {
             body.wake_up(true);
         }

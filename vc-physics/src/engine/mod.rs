@@ -2,6 +2,7 @@
 
 mod contact_completion;
 mod contact_reduction;
+mod moved;
 mod prediction;
 
 use std::sync::OnceLock;
@@ -17,6 +18,7 @@ use rapier3d::pipeline::{PhysicsPipeline, QueryFilter, QueryPipeline};
 use serde::{Deserialize, Deserializer, Serialize};
 
 use crate::convert;
+use moved::Moved;
 
 /// The distance at which two bodies get contact points, metres. The engine's default of two centimetres is as
 /// wide as a cup's foot: points that do not touch would crowd out those that do, and small things would rock
@@ -55,6 +57,9 @@ pub(crate) struct Engine {
     early: OnceLock<BroadPhaseBvh>,
     #[serde(skip)]
     scratch: Scratch,
+    /// Not saved: whoever restores an engine has read nothing of it.
+    #[serde(skip)]
+    moved: Moved,
 }
 
 /// Buffers whose content has no meaning between steps.
@@ -86,6 +91,7 @@ impl Engine {
             started: false,
             early: OnceLock::new(),
             scratch: Scratch::default(),
+            moved: Moved::default(),
         }
     }
 
@@ -96,6 +102,7 @@ impl Engine {
     /// Does one step; returns the bodies that became non-finite and were stopped.
     pub(crate) fn step(&mut self) -> &[RigidBodyHandle] {
         self.predict_contacts();
+        self.note_awake();
         (self.started, self.early) = (true, OnceLock::new());
         self.scratch.pipeline.step(
             convert::vector(Vector3::new(0.0, 0.0, -self.gravity)),
@@ -112,7 +119,37 @@ impl Engine {
             &(),
             &(),
         );
+        self.note_awake();
         self.scratch.pipeline.quarantine().bodies()
+    }
+
+    /// Only these are moved by a step: those that it wakes are awake after it.
+    fn note_awake(&mut self) {
+        self.islands.active_bodies().for_each(|body| self.moved.add(body));
+    }
+
+    /// A body, to be changed.
+    pub(crate) fn body_mut(&mut self, body: RigidBodyHandle) -> Option<&mut RigidBody> {
+        self.moved.add(body);
+        self.bodies.get_mut(body)
+    }
+
+    /// Notes that something of a body has changed that the engine knows nothing of.
+    pub(crate) fn note(&mut self, body: RigidBodyHandle) {
+        self.moved.add(body);
+    }
+
+    /// The bodies that may have moved since [`Self::forget_moved`]; at first all.
+    pub(crate) fn moved(&self) -> Vec<&RigidBody> {
+        match self.moved.indexes() {
+            Some(indexes) => indexes.filter_map(|i| self.bodies.get_unknown_gen(i)).map(|(body, _)| body).collect(),
+            None => self.bodies.iter().map(|(_, body)| body).collect(),
+        }
+    }
+
+    /// Starts anew to note which bodies move.
+    pub(crate) fn forget_moved(&mut self) {
+        self.moved.clear();
     }
 
     /// Number of bodies that are awake and free to move.
@@ -137,7 +174,7 @@ impl Engine {
     /// alone, so that it can sleep.
     pub(crate) fn carry(&mut self, body: RigidBodyHandle, pose: EnginePose) {
         if self.bodies.get(body).is_some_and(|b| *b.position() != pose)
-            && let Some(rigid) = self.bodies.get_mut(body)
+            && let Some(rigid) = self.body_mut(body)
         {
             rigid.set_next_kinematic_position(pose);
         }
@@ -146,7 +183,7 @@ impl Engine {
     /// Adds a body.
     pub(crate) fn add_body(&mut self, body: RigidBodyBuilder) -> RigidBodyHandle {
         let handle = self.bodies.insert(body);
-        if let Some(rigid) = self.bodies.get_mut(handle) {
+        if let Some(rigid) = self.body_mut(handle) {
             rigid.activation_mut().time_until_sleep = STILL;
         }
         handle
@@ -167,7 +204,7 @@ impl Engine {
     /// and its rotation creeps by rounding. A body put back wakes what it touches, so it gets a rotation that stays.
     pub(crate) fn keep(&mut self, fixed: &[(RigidBodyHandle, EnginePose)]) {
         for (handle, pose) in fixed {
-            if let Some(body) = self.bodies.get_mut(*handle).filter(|b| b.is_fixed() && b.position() != pose) {
+            if let Some(body) = self.body_mut(*handle).filter(|b| b.is_fixed() && b.position() != pose) {
                 body.set_position(EnginePose { rotation: steady(pose.rotation), ..*pose }, false);
             }
         }
@@ -200,6 +237,7 @@ impl Engine {
         self.early.take();
         let handle = self.colliders.insert_with_parent(collider, to, &mut self.bodies);
         // Otherwise a body has no mass before its first step.
+        self.moved.add(to);
         if let Some(body) = self.bodies.get_mut(to) {
             body.recompute_mass_properties_from_colliders(&self.colliders);
         }
@@ -208,7 +246,7 @@ impl Engine {
 
     /// Moves a body at once, without velocity and awake; queries see it there.
     pub(crate) fn place(&mut self, body: RigidBodyHandle, pose: EnginePose) {
-        let Some(rigid) = self.bodies.get_mut(body) else { return };
+        let Some(rigid) = self.body_mut(body) else { return };
         rigid.set_position(pose, true);
         rigid.set_linvel(rapier3d::math::Vector::ZERO, true);
         rigid.set_angvel(rapier3d::math::Vector::ZERO, true);
@@ -235,7 +273,7 @@ impl Engine {
 
     /// Enables a body that the engine has disabled because it became non-finite.
     pub(crate) fn enable(&mut self, body: RigidBodyHandle) {
-        let Some(rigid) = self.bodies.get_mut(body).filter(|b| !b.is_enabled()) else { return };
+        let Some(rigid) = self.body_mut(body).filter(|b| !b.is_enabled()) else { return };
         rigid.set_enabled(true);
         let colliders = rigid.colliders().to_vec();
         for collider in colliders {

@@ -42,13 +42,13 @@ impl Engine {
             }
         }
         for handle in differing {
-            if let Some(body) = self.bodies.get_mut(handle) {
+            if let Some(body) = self.body_mut(handle) {
                 body.set_soft_ccd_prediction(ahead(body));
                 body.enable_gyroscopic_forces(turns(body));
             }
         }
         for handle in wild {
-            if let Some(body) = self.bodies.get_mut(handle) {
+            if let Some(body) = self.body_mut(handle) {
                 // The engine stops bodies with NaN and reports them.
                 body.set_linvel(rapier3d::math::Vector::splat(f32::NAN), false);
             }

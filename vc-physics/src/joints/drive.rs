@@ -80,7 +80,7 @@ impl PhysicsWorld {
         let thing = &mut self.things[index];
         let (moving, kind) = (&mut thing.state.moving[part], joint_kind(&thing.form.links[part + 1]));
         (moving.target, moving.latched) = (None, false);
-        if let Some(rigid) = moving.body.and_then(|body| self.engine.bodies.get_mut(body)) {
+        if let Some(rigid) = moving.body.and_then(|body| self.engine.body_mut(body)) {
             rigid.set_body_type(RigidBodyType::Dynamic, true);
             rigid.wake_up(true);
         }
@@ -121,6 +121,7 @@ impl PhysicsWorld {
         let index = self.index(id)?;
         self.driven.retain(|d| *d != (id, part));
         let poses = self.poses_when_put(&self.things[index], part, target);
+        self.engine.note(self.things[index].state.base);
         let moving = &mut self.things[index].state.moving[part];
         moving.position = target;
         let body = moving.body;
@@ -268,7 +269,7 @@ impl PhysicsWorld {
         moving.target = None;
         moving.latched = self.settings.latches && shut;
         let stuck = moving.locked || moving.latched;
-        if let Some(rigid) = self.engine.bodies.get_mut(body) {
+        if let Some(rigid) = self.engine.body_mut(body) {
             let fixed = stuck && fixed_base;
             rigid.set_body_type(if fixed { RigidBodyType::Fixed } else { RigidBodyType::Dynamic }, true);
         }

@@ -45,7 +45,7 @@ impl PhysicsWorld {
             let still = thing.state.watch.is_still();
             let limit = if still { TREMBLES } else { RigidBodyActivation::default_normalized_linear_threshold() };
             if body_limit != limit
-                && let Some(body) = self.engine.bodies.get_mut(handle)
+                && let Some(body) = self.engine.body_mut(handle)
             {
                 body.activation_mut().normalized_linear_threshold = limit;
             }
@@ -70,7 +70,7 @@ impl PhysicsWorld {
             let axis = spin / speed;
             let ease = (body.mass_properties().effective_world_inv_inertia * axis).dot(axis);
             let kept = (1.0 - lever(thing) * body.mass() * gravity * ease * dt / speed).max(0.0);
-            if let Some(body) = self.engine.bodies.get_mut(handle) {
+            if let Some(body) = self.engine.body_mut(handle) {
                 body.set_angvel(spin * kept, false);
             }
         }
@@ -90,7 +90,7 @@ impl PhysicsWorld {
     fn halt(&mut self, id: NodeId) {
         let bodies: Vec<RigidBodyHandle> = self.thing(id).map_or_else(|_| Vec::new(), |t| t.bodies().collect());
         for handle in bodies {
-            let Some(body) = self.engine.bodies.get_mut(handle).filter(|b| b.is_dynamic()) else { continue };
+            let Some(body) = self.engine.body_mut(handle).filter(|b| b.is_dynamic()) else { continue };
             body.set_linvel(Vector::ZERO, false);
             body.set_angvel(Vector::ZERO, false);
             let activation = body.activation_mut();

@@ -30,7 +30,7 @@ impl PhysicsWorld {
         self.step();
         let all: Vec<RigidBodyHandle> = self.engine.awake_bodies().collect();
         for &body in &all {
-            if let Some(rigid) = self.engine.bodies.get_mut(body).filter(|b| b.is_dynamic()) {
+            if let Some(rigid) = self.engine.body_mut(body).filter(|b| b.is_dynamic()) {
                 rigid.sleep();
             }
         }
@@ -68,7 +68,7 @@ impl PhysicsWorld {
                 }
                 None => self.thing(*id)?.state.base,
             };
-            if let Some(rigid) = self.engine.bodies.get_mut(body) {
+            if let Some(rigid) = self.engine.body_mut(body) {
                 rigid.set_position(convert::pose(pose), false);
             }
             self.engine.refresh(body);

@@ -63,7 +63,7 @@ impl PhysicsWorld {
         for (body, _) in awake.into_iter().zip(stays).filter(|(_, stays)| !stays) {
             // The engine's rest timer is set to its limit. If a single body of an island were put to sleep
             // directly, it would wake again and fall for a step before its contacts are known.
-            if let Some(rigid) = self.engine.bodies.get_mut(body) {
+            if let Some(rigid) = self.engine.body_mut(body) {
                 let activation = rigid.activation_mut();
                 activation.time_since_can_sleep = activation.time_until_sleep;
             }

@@ -165,7 +165,7 @@ impl Vehicle {
         let filter = QueryFilter::default().exclude_rigid_body(chassis).exclude_sensors();
         self.controller.update_vehicle(dt, engine.queries_mut(filter));
         if engine.bodies.get(chassis).is_some_and(|b| self.bounces(engine, b, gravity))
-            && let Some(body) = engine.bodies.get_mut(chassis)
+            && let Some(body) = engine.body_mut(chassis)
         {
             body.activation_mut().time_since_can_sleep = 0.0;
         }

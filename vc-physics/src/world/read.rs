@@ -8,7 +8,7 @@ use vc_graph::{Aabb, NodeId, Pose};
 use super::PhysicsWorld;
 use crate::shapes::Link;
 use crate::state::Thing;
-use crate::{BodyRole, Settings, convert};
+use crate::{BodyRole, Settings, convert, group};
 
 /// # State
 impl PhysicsWorld {
@@ -48,6 +48,33 @@ impl PhysicsWorld {
     /// ```
     pub fn poses(&self) -> Vec<(NodeId, Pose)> {
         self.nodes().into_iter().filter_map(|id| Some((id, self.pose(id)?))).collect()
+    }
+
+    /// The nodes that may have moved, turned a part or changed their role since [`forget_moved`](Self::forget_moved),
+    /// by number; at first, and in a restored world, all. Some may be where they were; none is missed. It follows
+    /// from what has been awake or was changed by hand, so it costs nothing for what sleeps.
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
+    /// world.settle(300);
+    /// world.forget_moved();
+    /// assert!(world.moved().is_empty());
+    /// world.put_open(home.cabinet, None, 1.0)?;
+    /// assert!(world.moved().contains(&home.cabinet));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn moved(&self) -> Vec<NodeId> {
+        let mut nodes: Vec<NodeId> =
+            self.engine.moved().into_iter().map(|body| group::marked(body.user_data).0).collect();
+        nodes.sort_unstable();
+        nodes.dedup();
+        nodes
+    }
+
+    /// Says that everything has been read: [`moved`](Self::moved) begins anew.
+    pub fn forget_moved(&mut self) {
+        self.engine.forget_moved();
     }
 
     /// The role of a node's body; `None` without a body.

@@ -4,6 +4,7 @@
 
 use crate::common;
 
+use std::collections::BTreeMap;
 use std::f32::consts::FRAC_PI_2;
 
 use common::{Scene, at, part, plain, surface};
@@ -165,6 +166,17 @@ fn hostile(sound: std::ops::Range<f32>) -> impl Strategy<Value = f32> {
     prop_oneof![6 => sound, 1 => odd]
 }
 
+/// Poses, positions of parts and roles, as bits and text: some are no numbers.
+fn readings(world: &PhysicsWorld) -> BTreeMap<vc_graph::NodeId, String> {
+    let parts = |id| world.parts(id).all().into_iter().map(|p| p.position.to_bits()).collect::<Vec<u32>>();
+    let bits = |pose: vc_graph::Pose| {
+        let numbers = pose.translation.vector.iter().chain(pose.rotation.coords.iter()).map(|v| v.to_bits());
+        numbers.collect::<Vec<u32>>()
+    };
+    let reading = |id| format!("{:?} {:?} {:?}", world.pose(id).map(bits), parts(id), world.role(id));
+    world.nodes().into_iter().map(|id| (id, reading(id))).collect()
+}
+
 proptest! {
     #![proptest_config(ProptestConfig { cases: 200, failure_persistence: None, ..ProptestConfig::default() })]
 
@@ -188,6 +200,8 @@ proptest! {
         }
         let mut world = scene.world();
         let agent = world.agents().next().unwrap();
+        let mut read = readings(&world);
+        world.forget_moved();
         for (order, id, [a, b, c]) in orders {
             let (id, v) = (vc_graph::NodeId(id), Vector3::new(a, b, c));
             match order {
@@ -205,6 +219,13 @@ proptest! {
                 _ => drop(SpotSearch::new(id, vc_graph::NodeId(0), a > 0.0).order(SpotOrder::Near(v.into())).find(&world)),
             }
             world.run(2);
+            // Whoever reads only what has moved misses nothing.
+            let (now, moved) = (readings(&world), world.moved());
+            for (id, reading) in &now {
+                prop_assert!(moved.contains(id) || read.get(id) == Some(reading), "{id} after order {order}");
+            }
+            read = now;
+            world.forget_moved();
         }
         let finite = |v: &Vector3<f32>| v.iter().all(|c| c.is_finite());
         for (id, pose) in world.poses() {

@@ -10,7 +10,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use nalgebra::{UnitQuaternion, Vector3};
 use proptest::prelude::*;
 use vc_graph::{Bounds, Draft, Edge, NodeId, NodeKind, Pose, Relation, SceneGraph, Seed, State, Stream};
-use vc_relations::{Attachment, ContactEvidence, Evidence, RelationRule, Relations};
+use vc_relations::{Attachment, ContactEvidence, Evidence, NodeEvidence, RelationRule, Relations};
 
 /// In addition to the rooms of objects: people, and things to look at, sit on, hang on and pull.
 const MORE: [&str; 11] = [
@@ -149,6 +149,30 @@ impl Life {
         }
     }
 
+    /// Changes the evidence about one node, and says so.
+    fn tells(&mut self) -> NodeEvidence {
+        let (node, links) = self.moving[self.rng.below(self.moving.len())];
+        let node = if self.rng.chance(0.3) { self.object() } else { node };
+        let rng = &mut self.rng;
+        let positions: Vec<f32> =
+            (0..links).map(|_| if rng.chance(0.4) { 0.0 } else { rng.between(0.0, 0.4) }).collect();
+        let is_carried = rng.chance(0.3);
+        for (joint, position) in (0..).zip(0..links.max(3)) {
+            self.evidence.positions.remove(&(node, joint));
+            if let Some(at) = positions.get(position).filter(|at| **at != 0.0) {
+                self.evidence.positions.insert((node, joint), *at);
+            }
+        }
+        if let Some(carried) = &mut self.evidence.carried {
+            if is_carried {
+                carried.insert(node)
+            } else {
+                carried.remove(&node)
+            };
+        }
+        NodeEvidence { node, positions, is_carried }
+    }
+
     /// Makes a few changes; returns whether the evidence changed.
     fn goes_on(&mut self) -> bool {
         self.changed.clear();
@@ -237,6 +261,37 @@ proptest! {
     #[test]
     fn upkeep_equals_a_rebuild(seed in any::<u64>()) {
         live(Seed(seed))?;
+    }
+}
+
+/// What a drawer or a hand is said to do, node by node, equals the same said as a whole.
+fn is_told_node_by_node(seed: Seed) -> Result<(), TestCaseError> {
+    let mut life = Life::new(seed);
+    life.evidence.carried = seed.stream().chance(0.8).then(BTreeSet::new);
+    let mut relations = Relations::new(&life.graph, RelationRule::Contacts, life.evidence.clone()).unwrap();
+    let mut whole = relations.clone();
+    for _ in 0..10 {
+        life.changed.clear();
+        (0..life.rng.below(3)).for_each(|_| life.moves());
+        let said: Vec<NodeEvidence> = (0..life.rng.count(1, 3)).map(|_| life.tells()).collect();
+        let met = relations.update_nodes(&life.graph, &life.changed, &said).unwrap();
+        let by_whole = whole.update_with(&life.graph, &life.changed, life.evidence.clone()).unwrap();
+        prop_assert_eq!(relations.evidence(), &life.evidence);
+        prop_assert!(by_whole.iter().all(|id| met.contains(id)));
+        compare(&relations, &whole, &mut life)?;
+    }
+    let wrong = NodeEvidence { node: life.moving[0].0, positions: vec![0.1, f32::NAN], is_carried: true };
+    prop_assert!(relations.update_nodes(&life.graph, &[], &[wrong]).is_err());
+    prop_assert_eq!(relations.evidence(), &life.evidence);
+    Ok(())
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 32, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn evidence_node_by_node_equals_the_whole(seed in any::<u64>()) {
+        is_told_node_by_node(Seed(seed))?;
     }
 }
 
