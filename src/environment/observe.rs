@@ -84,7 +84,8 @@ pub(super) fn look_again(
     let stay = graph.agents().iter().filter(|agent| !moved.contains(agent));
     let faced: Vec<Edge> = stay.flat_map(|agent| faced_by(graph, *agent)).collect();
     let all = [moved.as_slice(), changed].concat();
-    let evidence: Vec<NodeEvidence> = disturbed.into_iter().map(|id| evidence_of(world, id)).collect();
+    // What is put on or used up has lost its body: only the rule names it.
+    let evidence: Vec<NodeEvidence> = disturbed.iter().chain(changed).map(|id| evidence_of(world, *id)).collect();
     let met = relations.update_nodes(graph, &all, &evidence)?;
     let kept = |graph: &SceneGraph, id: NodeId| {
         boxes::still_at(start, graph, world, id)

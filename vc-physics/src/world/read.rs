@@ -51,8 +51,8 @@ impl PhysicsWorld {
     }
 
     /// The nodes that may have moved, turned a part or changed their role since [`forget_moved`](Self::forget_moved),
-    /// by number; at first, and in a restored world, all. Some may be where they were; none is missed. It follows
-    /// from what has been awake or was changed by hand, so it costs nothing for what sleeps.
+    /// by number; at first, and in a restored world, all. Some may be where they were; none that has a body is missed. It
+    /// follows from what has been awake or was changed by hand, so it costs nothing for what sleeps.
     ///
     /// ```
     /// # let home = vc_testkit::kitchen::kitchen();
