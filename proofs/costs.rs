@@ -16,10 +16,11 @@ use virtualcity::{Environment, Viewpoint, legal_action};
 type Operation = fn(usize);
 
 /// The operations, by name.
-const OPERATIONS: [(&str, Operation); 6] = [
+const OPERATIONS: [(&str, Operation); 7] = [
     ("make", make),
     ("reset", reset),
     ("action", action),
+    ("legal", legal),
     ("observation", observation),
     ("modalities", modalities),
     ("decision", decision),
@@ -51,6 +52,14 @@ fn action(times: usize) {
     for _ in 0..20 * times {
         let action = legal_action(home.graph(), agent, &mut stream);
         let _ = black_box(home.set_action(agent, action));
+    }
+}
+
+/// All legal actions of an agent.
+fn legal(times: usize) {
+    let home = home();
+    for _ in 0..20 * times {
+        black_box(home.legal_actions(home.agents()[0]).len());
     }
 }
 
