@@ -581,8 +581,8 @@
 //! | `sit sofa.9 seat 2` | on this seat |
 //!
 //! A thing that is put down rests within one centimetre and two degrees of the pose asked for, and so do feet; otherwise
-//! the action ends in an error with the reason. What the rule can tell is refused, and nothing has changed; what the
-//! planner finds out (no room, no way) leaves the agent where it has walked meanwhile; and after
+//! the action ends in an error with the reason. Where the rule can tell, the action is refused and nothing has changed; where the
+//! planner finds out (no room, no way), the agent is left where it has walked meanwhile; and after
 //! [`PhysicalRefusal::OffAim`](crate::PhysicalRefusal::OffAim) the thing lies where it has come to rest.
 //!
 //! ```

@@ -180,7 +180,7 @@ impl Environment {
     /// Puts a thing at a place at once, together with its load: on or in something, or on the floor of a room.
     /// A thing that hung or was held in place is taken down. The history is kept, and other things stay as they are.
     ///
-    /// `SpotSearch`, `PhysicsWorld::place`, `PhysicsWorld::step`, `Relations::update_with`. Costs a
+    /// `SpotSearch`, `PhysicsWorld::place`, `PhysicsWorld::step`, `Relations::update_nodes`. Costs a
     /// millisecond or two.
     ///
     /// # Errors
@@ -220,7 +220,7 @@ impl Environment {
     /// middle of a room, facing where most of it is in view. The things it holds and wears come along. Where one can
     /// stand only in an open doorway, the door stands open then. The history does not contain this.
     ///
-    /// `Floor::is_free`, `PhysicsWorld::teleport`, `Relations::update_with`. Costs a millisecond or two.
+    /// `Floor::is_free`, `PhysicsWorld::teleport`, `Relations::update_nodes`. Costs a millisecond or two.
     ///
     /// ```
     /// use virtualcity::nalgebra::Point2;

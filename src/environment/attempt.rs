@@ -1,4 +1,4 @@
-//! The deed that an error is about.
+//! The attempt that an error is about.
 
 use std::borrow::Cow;
 use std::fmt;
@@ -15,12 +15,12 @@ use vc_graph::{Action, SceneGraph};
 /// assert_eq!((attempt.action(), attempt.to_string()), (None, "control".to_owned()));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-#[derive(Debug, Clone, PartialEq, Eq, Default)]
-pub struct Attempt(Box<Deed>);
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Attempt(Box<Attempted>);
 
 /// Boxed, as results that hardly ever fail should be small.
-#[derive(Debug, Clone, PartialEq, Eq, Default)]
-struct Deed {
+#[derive(Debug, Clone, PartialEq, Eq)]
+struct Attempted {
     action: Option<Action>,
     text: Cow<'static, str>,
 }
@@ -29,12 +29,12 @@ impl Attempt {
     /// An action, with the labels that a scene gives its things.
     pub(super) fn new(action: &Action, graph: &SceneGraph) -> Self {
         let text = action.describe(graph).to_string().into();
-        Self(Box::new(Deed { action: Some(*action), text }))
+        Self(Box::new(Attempted { action: Some(*action), text }))
     }
 
-    /// A control of a body.
-    pub(super) fn control(text: &'static str) -> Self {
-        Self(Box::new(Deed { action: None, text: text.into() }))
+    /// Something that is no action: a control of a body.
+    pub(super) fn named(text: &'static str) -> Self {
+        Self(Box::new(Attempted { action: None, text: text.into() }))
     }
 
     /// The action, if it was one.

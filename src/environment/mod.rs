@@ -80,7 +80,7 @@ const WAIST: f32 = 0.9;
 /// | [`reset`](Self::reset) | `PhysicsWorld::reset`, `SpotSearch`, `PhysicsWorld::lower`, `PhysicsWorld::step`, `PhysicsWorld::put_to_sleep`, `Relations::update_with` |
 /// | [`observation`](Self::observation) | `SceneGraph::observe` |
 /// | [`render`](Self::render) | `Renderer::snapshot`, `Snapshot::place`, `Renderer::light`, `Renderer::follow`, `Renderer::render` |
-/// | [`set_action`](Self::set_action) | `rule::refusals`, then the clock with `Floor::standing_pose_where`, `PhysicsWorld::grab_with_load`, `SpotSearch`, `PhysicsWorld::put` ..., then `Relations::update_with` |
+/// | [`set_action`](Self::set_action) | `rule::refusals`, then the clock with `Floor::standing_pose_where`, `PhysicsWorld::grab_with_load`, `SpotSearch`, `PhysicsWorld::put` ..., then `Relations::update_nodes` |
 ///
 /// Beside actions: [`control`](Self::control) of velocity, head and hands in every tick.
 ///

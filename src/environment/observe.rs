@@ -84,15 +84,20 @@ pub(super) fn look_again(
     let stay = graph.agents().iter().filter(|agent| !moved.contains(agent));
     let faced: Vec<Edge> = stay.flat_map(|agent| faced_by(graph, *agent)).collect();
     let all = [moved.as_slice(), changed].concat();
-    // What is put on or used up has lost its body: only the rule names it.
+    // A thing that is put on or used up has lost its body: only the rule names it.
     let evidence: Vec<NodeEvidence> = disturbed.iter().chain(changed).map(|id| evidence_of(world, *id)).collect();
-    let met = relations.update_nodes(graph, &all, &evidence)?;
+    let read = relations.update_nodes(graph, &all, &evidence).map_err(PhysicalRefusal::from);
     let kept = |graph: &SceneGraph, id: NodeId| {
         boxes::still_at(start, graph, world, id)
             .or_else(|| boxes::unmoved_at(graph, world, id, &moved))
             .or_else(|| boxes::carried_at(graph, world, id))
     };
-    let edges = relations.write_except(graph, &met, kept)?;
+    let written = read.and_then(|met| Ok((relations.write_except(graph, &met, kept)?, met)));
+    if written.is_err() {
+        // They have just been written, so they can be taken back; all is read again the next time.
+        let _ = poses.undo(graph);
+    }
+    let (edges, met) = written?;
     let facing = keep_facing(graph, faced);
     world.forget_moved();
     Ok((met, poses.then(edges).then(facing)))

@@ -14,12 +14,12 @@ use super::{Environment, SaveError};
 const MAGIC: &[u8; 8] = b"VCENV 5\n";
 
 impl Environment {
-    /// The environment as bytes, for [`restore`](Self::restore): the scene (`format::native::write`) and the shapes that
-    /// it did not begin with, the bodies (`PhysicsWorld::save`), the history, what agents are in the middle of doing, the
+    /// The environment as bytes, for [`restore`](Self::restore): the scene (`format::native::write`) and, once a thing of another shape
+    /// has come, all shapes (megabytes); the bodies (`PhysicsWorld::save`), the history, what agents are in the middle of doing, the
     /// processes that go on, and cameras that were added; not sensors. `clone` is a much cheaper copy in memory.
     ///
     /// # Errors
-    /// [`SaveError::World`], [`SaveError::Unread`].
+    /// [`SaveError::World`], [`SaveError::Clock`], [`SaveError::Unread`].
     pub fn save(&self) -> Result<Vec<u8>, SaveError> {
         match self.unread_endings() {
             0 => {}
@@ -85,7 +85,7 @@ impl Environment {
         Ok(copy)
     }
 
-    /// The shapes as a scene without nodes; empty if they are those of the start.
+    /// All shapes as a scene without nodes; nothing if they are those of the start.
     fn own_shapes(&self) -> String {
         let (own, first) = (self.graph.assets(), self.start.graph.assets());
         if Arc::ptr_eq(own, first) || own == first {

@@ -24,7 +24,7 @@ impl Environment {
     ///
     /// This serves a person at a keyboard, or a policy for locomotion. It is not an action: the transition rule
     /// is not asked, and the history does not record it. It uses `PhysicsWorld::go`, `PhysicsWorld::jump`,
-    /// `PhysicsWorld::step`, `PhysicsWorld::turn` and `Relations::update_with`.
+    /// `PhysicsWorld::step`, `PhysicsWorld::turn` and `Relations::update_nodes`.
     ///
     /// # Errors
     /// [`ActionError::Impossible`] if there is no such agent, it does not stand, or a number is not finite,
@@ -47,7 +47,7 @@ impl Environment {
     /// ```
     pub fn steer(&mut self, agent: NodeId, steering: &Steering) -> Result<ChangeSet, ActionError> {
         let labels = self.graph.clone();
-        let attempt = Attempt::control("steer");
+        let attempt = Attempt::named("steer");
         let impossible =
             |why: PhysicalRefusal| ActionError::Impossible { attempt: attempt.clone(), why: why.in_scene(&labels) };
         if !steering.heading.is_finite() {

@@ -437,7 +437,7 @@ fn processes_go_on() {
     for part in 0..3600 {
         slow.step(Span(6));
         if part % 1000 == 0 {
-            // What goes on is saved too.
+            // Processes that go on are saved too.
             slow = slow.restore(&slow.save().unwrap()).unwrap();
         }
     }

@@ -157,6 +157,15 @@ impl SceneBuilder {
     }
 
     /// Numbers nodes within a block: those of a region of a [`Space`](crate::space::Space).
+    ///
+    /// ```
+    /// use vc_graph::space::NumberBlock;
+    /// use vc_graph::{Draft, NodeId, SceneBuilder};
+    /// let mut scene = SceneBuilder::new("flat");
+    /// scene.numbers(NumberBlock { first: 500, count: 100 });
+    /// assert_eq!(scene.add(Draft::new("kitchen"))?, NodeId(500));
+    /// # Ok::<(), vc_graph::EditError>(())
+    /// ```
     pub fn numbers(&mut self, block: NumberBlock) {
         self.graph.number_in(block, block.first);
     }

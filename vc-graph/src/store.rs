@@ -52,8 +52,8 @@ impl<T> Store<T> {
         self.chunks.iter().flat_map(|(_, chunk)| chunk.iter().flatten())
     }
 
-    /// The numbers at which two maps have values that are not shared, in order, with both values. What clones share is
-    /// skipped chunk by chunk.
+    /// The numbers at which two maps have values that are not shared, in order, with both values. Chunks that
+    /// clones share are skipped.
     pub(crate) fn unshared<'s>(&'s self, other: &'s Self) -> Vec<[Option<&'s Arc<T>>; 2]> {
         let mut found = Vec::new();
         let (mut left, mut right) = (self.chunks.iter().peekable(), other.chunks.iter().peekable());

@@ -113,11 +113,14 @@ impl PhysicsWorld {
         let loose = self.things.iter().filter(|t| t.state.role == BodyRole::Loose).map(|t| t.state.base);
         let bodies: Vec<_> = loose.collect();
         for body in bodies {
-            if let Some(rigid) = self.engine.body_mut(body) {
+            let is_in_it = |rigid: &RigidBody| {
                 let centre = convert::point3(rigid.center_of_mass());
-                if water.holds(&centre) && centre.z <= water.level() {
-                    rigid.wake_up(true);
-                }
+                water.holds(&centre) && centre.z <= water.level()
+            };
+            if self.engine.bodies.get(body).is_some_and(is_in_it)
+                && let Some(rigid) = self.engine.body_mut(body)
+            {
+                rigid.wake_up(true);
             }
         }
         self.waters.all.push(water);

@@ -119,33 +119,51 @@ pub struct NodeEvidence {
     pub is_carried: bool,
 }
 
+/// All that evidence says of one node: the joints that are named, with their positions, and whether hands carry it.
+#[derive(Debug)]
+pub(crate) struct Known {
+    pub(crate) node: NodeId,
+    positions: Vec<(u32, f32)>,
+    is_carried: bool,
+}
+
+impl From<&NodeEvidence> for Known {
+    fn from(said: &NodeEvidence) -> Self {
+        let positions = (0..).zip(said.positions.iter().copied()).filter(|(_, position)| *position != 0.0).collect();
+        Self { node: said.node, positions, is_carried: said.is_carried }
+    }
+}
+
+impl Known {
+    /// Whether two say the same: a joint that is not named is at zero.
+    fn says(&self, other: &Self) -> bool {
+        let moved = |known: &Self| known.positions.iter().copied().filter(|(_, at)| *at != 0.0).collect::<Vec<_>>();
+        moved(self) == moved(other) && self.is_carried == other.is_carried
+    }
+}
+
 impl Evidence {
-    /// What is known of one node.
-    pub(crate) fn of(&self, node: NodeId) -> NodeEvidence {
-        let mut positions = Vec::new();
-        for ((_, joint), position) in self.positions.range((node, 0)..=(node, u32::MAX)) {
-            positions.resize(*joint as usize, 0.0);
-            positions.push(*position);
-        }
+    /// All that is said of one node.
+    pub(crate) fn of(&self, node: NodeId) -> Known {
+        let positions = self.positions.range((node, 0)..=(node, u32::MAX)).map(|((_, joint), at)| (*joint, *at));
         let is_carried = self.carried.as_ref().is_some_and(|all| all.contains(&node));
-        NodeEvidence { node, positions, is_carried }
+        Known { node, positions: positions.collect(), is_carried }
     }
 
-    /// Takes what is said of one node; whether it is something new.
-    pub(crate) fn take(&mut self, said: &NodeEvidence) -> bool {
-        let known = self.of(said.node);
-        for joint in 0..known.positions.len() as u32 {
-            self.positions.remove(&(said.node, joint));
+    /// Says something else of one node; whether it is something new.
+    pub(crate) fn say(&mut self, now: &Known) -> bool {
+        let (node, before) = (now.node, self.of(now.node));
+        for (joint, _) in &before.positions {
+            self.positions.remove(&(node, *joint));
         }
-        let moved = (0..).zip(&said.positions).filter(|(_, position)| **position != 0.0);
-        self.positions.extend(moved.map(|(joint, position)| ((said.node, joint), *position)));
+        self.positions.extend(now.positions.iter().map(|(joint, at)| ((node, *joint), *at)));
         if let Some(carried) = &mut self.carried {
-            if said.is_carried {
-                carried.insert(said.node)
+            if now.is_carried {
+                carried.insert(node)
             } else {
-                carried.remove(&said.node)
+                carried.remove(&node)
             };
         }
-        self.of(said.node) != known
+        !self.of(node).says(&before)
     }
 }

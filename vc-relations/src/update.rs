@@ -3,7 +3,7 @@
 use vc_graph::{Aabb, Edge, NodeId, SceneGraph};
 
 use crate::error::{InputError, check_evidence, check_nodes, check_positions};
-use crate::evidence::{Evidence, NodeEvidence};
+use crate::evidence::{Evidence, Known, NodeEvidence};
 use crate::facts::{Facts, hands_of};
 use crate::relations::Relations;
 use crate::rule::RelationRule;
@@ -82,22 +82,22 @@ impl Relations {
         evidence: &[NodeEvidence],
     ) -> Result<Vec<NodeId>, InputError> {
         check_positions(graph, evidence)?;
-        let before: Vec<NodeEvidence> = evidence.iter().map(|said| self.evidence.of(said.node)).collect();
+        let before: Vec<Known> = evidence.iter().map(|said| self.evidence.of(said.node)).collect();
         let mut changed = changed.to_vec();
-        changed.extend(evidence.iter().filter_map(|said| self.take(said).then_some(said.node)));
+        changed.extend(evidence.iter().filter_map(|said| self.say(&said.into()).then_some(said.node)));
         let done = self.update(graph, &changed);
         if done.is_err() {
             for known in before.iter().rev() {
-                self.take(known);
+                self.say(known);
             }
         }
         done
     }
 
-    /// Takes what is said of one node; whether it is something new.
-    fn take(&mut self, said: &NodeEvidence) -> bool {
-        let is_new = self.evidence.take(said);
-        self.facts.read_carried(said.node, &self.evidence);
+    /// Says something else of one node; whether it is something new.
+    fn say(&mut self, now: &Known) -> bool {
+        let is_new = self.evidence.say(now);
+        self.facts.read_carried(now.node, &self.evidence);
         is_new
     }
 

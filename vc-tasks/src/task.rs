@@ -170,7 +170,7 @@ impl Task {
 
     /// The reason why the goal is lost in a scene before anything is done: a label of another class than its node, or a
     /// missing node or an unknown class in a part that must not hold or must hold for all, a predicate that the scene does
-    /// not define and without which nothing is meant, or a part that ranges over more than a hundred million choices of objects. A part with a wrong name would hold at
+    /// not define and without which nothing is meant, or a part that ranges over more than 10^8 choices of objects. A part with a wrong name would hold at
     /// once, as nothing on the table is a `mugg`. A known class of which the scene has no object is no such name.
     ///
     /// ```

@@ -17,8 +17,8 @@ impl Environment {
     ///    walk, `SpotSearch` and a hand that puts down, parts that open.
     /// 3. At the end of each motion bodies do it: `PhysicsWorld::teleport`, `PhysicsWorld::grab_with_load`, `PhysicsWorld::put`,
     ///    `PhysicsWorld::sit` ... Between these events the clock jumps, unless something is awake.
-    /// 4. When what was moved rests, `Relations::update_with` and `Relations::write` observe it.
-    /// 5. What is observed is held against what the rule says.
+    /// 4. When all that was moved rests, `Relations::update_nodes` and `Relations::write_except` observe it.
+    /// 5. The observed outcome is held against the rule's.
     ///
     /// The outcome is that of [`give`](Self::give) and [`step`](Self::step) until the action has ended. Takes some tenths
     /// of a millisecond in the middle; where bodies have to be pushed aside, some tens of milliseconds.

@@ -141,8 +141,9 @@ impl Environment {
     }
 
     pub(super) fn cannot(&self, agent: NodeId, why: PhysicalRefusal) -> ActionError {
-        let attempt = self.clock.running.get(&agent).map(|s| Attempt::new(&s.action, &self.graph));
-        ActionError::Impossible { attempt: attempt.unwrap_or_default(), why: why.in_scene(&self.graph) }
+        let running = self.clock.running.get(&agent).map(|schedule| Attempt::new(&schedule.action, &self.graph));
+        let attempt = running.unwrap_or_else(|| Attempt::named("an action that has ended"));
+        ActionError::Impossible { attempt, why: why.in_scene(&self.graph) }
     }
 
     fn begin_motion(&mut self, agent: NodeId, motion: BodyMotion) -> Going {

@@ -52,7 +52,11 @@ impl Environment {
             return Ok(None);
         }
         let (graph, world, relations) = (&mut self.graph, &mut self.world, &mut self.relations);
-        let (met, seen) = observe::look_again(graph, &self.start, world, relations, &changed)?;
+        let read = observe::look_again(graph, &self.start, world, relations, &changed);
+        if read.is_err() {
+            (self.clock.changed, self.clock.unseen) = (changed, true);
+        }
+        let (met, seen) = read?;
         self.clock.read = None;
         let fallen = astray::fell_out(&self.world, &seen);
         self.clock.note(seen);
@@ -90,7 +94,7 @@ impl Environment {
     /// Reads what has moved, unless something moves still.
     pub(super) fn read_if_still(&mut self) {
         if self.clock.unseen && !self.clock.stirred && self.world.pass(0) {
-            // What cannot be told now is read at the end of an action.
+            // If it cannot be told now, it is read at the end of an action.
             drop(self.read_moved());
         }
     }
@@ -129,7 +133,7 @@ impl Environment {
         let (before, ruled, observed) = (&truth.before, &truth.ruled, &self.graph);
         let outcome = Outcome { before, ruled, observed, world: &self.world };
         let mut differences = outcome.differences(agent, &action, &truth.changes, &truth.met);
-        // What another action has in hand is for that one to answer for.
+        // Another action answers for the things that it has in hand.
         let others = self.owned_by_others(agent, &truth.before);
         differences.retain(|d| !others.contains(&d.thing.id) && !truth.excused.contains(&d.thing.id));
         let astray: Vec<NodeId> = differences.iter().map(|d| d.thing.id).collect();

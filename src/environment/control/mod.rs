@@ -94,7 +94,7 @@ impl Environment {
     /// busy for actions and for [`steer`](Self::steer), until [`interrupt`](Self::interrupt) ends the control: hands come
     /// back, with what they hold.
     ///
-    /// Uses `PhysicsWorld::drift`, `PhysicsWorld::guide_hand`, `PhysicsWorld::grasp` and `Relations::update_with`. Costs
+    /// Uses `PhysicsWorld::drift`, `PhysicsWorld::guide_hand`, `PhysicsWorld::grasp` and `Relations::update_nodes`. Costs
     /// nothing itself; a tick costs a step of bodies and the relations of what moves, some tenths of a millisecond, and
     /// nothing once all rest.
     ///
@@ -126,7 +126,7 @@ impl Environment {
         let without = (!self.start.time.bodies).then_some(PhysicalRefusal::NotModelled(WITHOUT));
         let fault = || self.control_fault(agent, control).map(|why| PhysicalRefusal::from(why).in_scene(&self.graph));
         if let Some(why) = without.or_else(fault) {
-            return Err(ActionError::Impossible { attempt: Attempt::control("control"), why });
+            return Err(ActionError::Impossible { attempt: Attempt::named("control"), why });
         }
         self.clock.controls.all.insert(agent, *control);
         self.clock.controls.new = true;

@@ -21,7 +21,7 @@ impl JsonFault {
         self.0.line()
     }
 
-    /// The column of the line, counted from 1.
+    /// The column of the line, counted from 1; 0 if it has none.
     pub fn column(&self) -> usize {
         self.0.column()
     }

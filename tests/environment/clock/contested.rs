@@ -263,7 +263,8 @@ fn line((name, case): &(&str, Case), home: impl Fn(u64) -> Environment) -> Strin
     format!("{name}: {}\n", told.collect::<Vec<_>>().join(", "))
 }
 
-/// Contested cases: their outcome and its tick are the same in single ticks and at once, in any order, and in any thread.
+/// Contested cases: their outcome and its tick are the same in single ticks and at once, in any order, and in whichever of
+/// three threads they are played.
 #[test]
 fn contested_cases_end_as_they_did() {
     let timed = |seed| Environment::builder(format!("apartment/{seed}")).agents(2).make().unwrap();

@@ -58,7 +58,7 @@ const CASES: &[(&str, Case)] = &[
         act(&mut home, me, Verb::Walk, &[lamp]);
         (home, vec![(me, Action::one(Verb::SwitchOn, lamp))])
     }),
-    ("a thing is put into the fridge that another opens, and its owner walks off", || {
+    ("a thing is put into a fridge while another walks", || {
         let mut home = home(42, 2);
         let (a, b, fridge) = (home.agents()[0], home.agents()[1], first(&home, "fridge"));
         let table = first(&home, "coffee_table");
@@ -89,10 +89,27 @@ const CASES: &[(&str, Case)] = &[
     }),
 ];
 
-/// What comes of a home: how its actions end, how it is then, and what it has changed.
+/// How the actions of a home end, and the home then.
 fn goes_on(mut home: Environment) -> (Vec<Ending>, Environment) {
     let endings = home.step_until_idle(LONG);
     (endings, home)
+}
+
+/// The agent without orders in one of the cases does step aside.
+#[test]
+fn one_makes_way_in_a_case() {
+    let (_, case) = CASES.iter().find(|(name, _)| name.starts_with("one makes way")).unwrap();
+    let (mut home, orders) = case();
+    let other = *home.agents().iter().find(|agent| orders.iter().all(|(ordered, _)| ordered != *agent)).unwrap();
+    let stood = home.world().pose(other).unwrap().translation;
+    orders.iter().for_each(|(agent, action)| home.give(*agent, *action));
+    let mut farthest: f32 = 0.0;
+    while home.is_busy() {
+        drop(home.step(EVERY));
+        let now = home.moment().world().pose(other).unwrap().translation;
+        farthest = farthest.max((now.vector - stood.vector).norm());
+    }
+    assert!(farthest > 0.2, "{farthest}");
 }
 
 #[test]

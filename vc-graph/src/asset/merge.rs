@@ -131,9 +131,10 @@ impl AssetLibrary {
     }
 
     fn is_same_material(&self, mine: &Material, from: &Self, theirs: &Material) -> bool {
-        let texture = |library: &Self, of: &Material| of.texture.and_then(|index| library.texture(index).cloned());
         let plain = |of: &Material| Material { texture: None, ..of.clone() };
-        mine.name == theirs.name && plain(mine) == plain(theirs) && texture(self, mine) == texture(from, theirs)
+        let mine_drawn = mine.texture.and_then(|index| self.texture(index));
+        let theirs_drawn = theirs.texture.and_then(|index| from.texture(index));
+        mine.name == theirs.name && plain(mine) == plain(theirs) && mine_drawn == theirs_drawn
     }
 
     fn take_over(&mut self, other: &Self) -> Result<Merged, AssetError> {

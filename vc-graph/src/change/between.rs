@@ -7,8 +7,11 @@ use crate::node::Node;
 use crate::{Change, ChangeSet, Edge, SceneGraph};
 
 impl ChangeSet {
-    /// The changes that lead from one state of a scene to another, whatever happened between them: the shortest record of
-    /// it. Costs what differs, as clones share the rest.
+    /// The changes that lead from one state of a scene to another, however it came about: the shortest record of it. Costs
+    /// what differs, as clones share the rest.
+    ///
+    /// Both have the same asset library, class table and name: nodes name assets by number, and a change set has none of
+    /// these. The number of the next node is not in it either ([`SceneGraph::next_number`]).
     ///
     /// ```
     /// use vc_graph::{ChangeSet, Draft, SceneBuilder, State};

@@ -38,6 +38,15 @@ impl Goal {
     }
 
     /// The derived predicates in the goal, each once, by name.
+    ///
+    /// ```
+    /// use vc_graph::{Goal, Vocabulary};
+    /// Vocabulary::parse("words.txt", "predicate neat ?x | is: Clean(?x) & Folded(?x)")?;
+    /// let goal: Goal = "Neat(shirt.4) & Open(door.2) & Neat(shirt.5)".parse()?;
+    /// let names: Vec<&str> = goal.derived_predicates().iter().map(|predicate| predicate.as_str()).collect();
+    /// assert_eq!(names, ["neat"]);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn derived_predicates(&self) -> Vec<super::DerivedPredicate> {
         let mut found = Vec::new();
         self.each_literal(&mut |literal| {

@@ -32,8 +32,8 @@ impl SceneGraph {
         let ids = || self.nodes.iter().map(|node| node.id.0);
         let lowest = ids().min().unwrap_or(block.first);
         let new = |id: NodeId| NodeId(id.0 - lowest + block.first);
-        let last = ids().max().map_or(0, |highest| highest - lowest);
-        if last >= block.count.max(1) || block.first.checked_add(last).is_none() {
+        let last = ids().max().map(|highest| highest - lowest);
+        if last.is_some_and(|last| last >= block.count || block.first.checked_add(last).is_none()) {
             return None;
         }
         let mut graph = Self::new(self.name.clone(), self.classes.clone());
@@ -50,7 +50,8 @@ impl SceneGraph {
 
     /// Gives new nodes numbers of a block, from a number on.
     pub(crate) fn number_in(&mut self, block: NumberBlock, from: u32) {
-        let used = self.nodes.iter().map(|node| node.id).filter(|id| block.has(*id)).map(|id| id.0 + 1).max();
+        let used =
+            self.nodes.iter().map(|node| node.id).filter(|id| block.has(*id)).map(|id| id.0.saturating_add(1)).max();
         (self.numbers, self.next) = (block, from.max(block.first).max(used.unwrap_or(0)));
     }
 

@@ -258,7 +258,6 @@ impl Node {
         self.inc[start..].iter().take_while(is_hand).map(|l| Place { relation: l.relation(), at: l.node() })
     }
 
-    /// Everything that rests on, in or with the node, or is held by it.
     /// The edges that start or end at the node.
     pub(crate) fn edges(&self) -> impl Iterator<Item = Edge> {
         let out = self.out.iter().map(|link| Edge::new(self.id, link.relation(), link.node()));
@@ -270,6 +269,7 @@ impl Node {
         Self { out: Vec::new(), inc: Vec::new(), ..self.clone() }
     }
 
+    /// Everything that rests on, in or with the node, or is held by it.
     pub(crate) fn carried(&self) -> impl Iterator<Item = NodeId> {
         let held = self.out.iter().filter(|l| self.spec.kind == NodeKind::Agent && is_hand(l));
         resting(&self.inc).chain(held).map(|l| l.node())

@@ -160,8 +160,8 @@ impl Judged<'_> {
         }
     }
 
-    /// Putting a thing to a point: it is on the surface, in the container or in the room, within reach, and no other thing
-    /// stands there. Boxes tell no more: whether the thing has room and would rest there is found out by bodies.
+    /// Putting a thing to a point: it is on the surface, in the container or in the room, within reach, and on a surface
+    /// no other thing stands there. Boxes tell no more: whether the thing has room and would rest there is found out by bodies.
     fn putting_at(&self, point: AimPoint) -> Option<Refusal> {
         let (graph, plan) = (self.graph, point.plan());
         let elsewhere = |at: NodeId| Refusal::PointElsewhere { point, at: graph.label(at) };
@@ -176,10 +176,14 @@ impl Judged<'_> {
         beside.map(elsewhere).or_else(out_of_reach).or_else(taken)
     }
 
-    /// Another thing on the target that stands at a point for sure: the middle half of its box is there.
+    /// Another thing on the target that stands at a point for sure: the middle half of its box is there, and the target
+    /// has no second level, on which it may stand instead.
     fn standing_there(&self, plan: &Point2<f32>) -> Option<Label> {
-        let others =
-            self.graph.relating(Relation::On, self.action.target?).filter(|id| Some(*id) != self.action.object);
+        let target = self.graph.node(self.action.target?)?;
+        if self.levels(target, Hold::On).is_some_and(|levels| levels > 1) {
+            return None;
+        }
+        let others = self.graph.relating(Relation::On, target.id()).filter(|id| Some(*id) != self.action.object);
         let mut nodes = others.filter_map(|id| self.graph.node(id));
         nodes.find(|node| node.stands_at(plan)).map(Node::label)
     }
@@ -199,12 +203,16 @@ impl Judged<'_> {
         (!within).then(|| Refusal::NoSuchPart { thing: node.label(), part: word, number, has })
     }
 
-    /// The number of level surfaces in or on a thing, if its shape is known.
+    /// The number of level surfaces in or on a thing, to which the action puts another, if its shape is known.
     fn slots(&self, node: &Node) -> Option<u32> {
-        let asset = self.graph.assets().get(node.spec().asset?)?;
         let goes_in = |effect: &Effect<NodeId>| matches!(effect, Effect::PutInto(_, at) if *at == node.id());
         let inside = effects(self.graph.vocabulary(), self.action).iter().any(goes_in);
-        let hold = if inside { Hold::Inside } else { Hold::On };
+        self.levels(node, if inside { Hold::Inside } else { Hold::On })
+    }
+
+    /// The number of level surfaces of a kind, if the shape of the thing is known.
+    fn levels(&self, node: &Node, hold: Hold) -> Option<u32> {
+        let asset = self.graph.assets().get(node.spec().asset?)?;
         u32::try_from(asset.surfaces.iter().filter(|s| s.hold == hold).count()).ok()
     }
 }

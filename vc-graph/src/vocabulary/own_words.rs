@@ -47,7 +47,7 @@ pub enum NameProblem {
         /// The name as it was declared before.
         known: &'static str,
     },
-    /// A verb of this name takes another number of things.
+    /// A verb or predicate of this name takes another number of things.
     #[error("`{word}` takes {known} things elsewhere in this program, not {things}: choose another name")]
     Things {
         /// The name.

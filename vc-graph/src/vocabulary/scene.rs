@@ -112,6 +112,14 @@ impl Vocabulary {
     }
 
     /// The definitions of derived predicates, by name.
+    ///
+    /// ```
+    /// use vc_graph::Vocabulary;
+    /// let words = Vocabulary::parse("words.txt", "predicate neat ?x | is: Clean(?x) & Folded(?x)")?;
+    /// let neat = &words.own_predicates()[0];
+    /// assert_eq!((neat.predicate.as_str(), neat.body.to_string()), ("neat", "Clean(?x) & Folded(?x)".to_owned()));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn own_predicates(&self) -> &[PredicateDefinition] {
         &self.predicates
     }

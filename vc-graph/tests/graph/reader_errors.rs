@@ -235,3 +235,17 @@ fn class_tables_say_line_and_column() {
     let error = ClassTable::parse("mine.txt", &changed(CLASSES, "hook:6", "hook:0")).unwrap_err();
     assert_eq!(error.to_string(), "mine.txt, line 3, column `slots`: `hook:0` is no slot such as `drawer:3`");
 }
+
+/// A change that cannot be read is named, and what is wrong with it.
+#[test]
+fn changes_say_what_is_wrong() {
+    let told = |text: &str| native::read_changes(text, &ClassTable::builtin()).unwrap_err().to_string();
+    for (text, field, word) in [
+        (r#"[{"link": {"from": 1, "relation": "onn", "to": 2}}]"#, "[0]", "onn"),
+        (r#"[{"unlink": {"from": 1, "relation": "on", "to": 2}}, {"add": {"id": 3}}]"#, "[1]", "missing field"),
+        (r#"[{"lnik": 3}]"#, "[0]", "lnik"),
+    ] {
+        let told = told(text);
+        assert!(told.contains(field) && told.contains(word), "{told}");
+    }
+}

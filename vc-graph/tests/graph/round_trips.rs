@@ -1,4 +1,4 @@
-//! What is written reads back as the same scene.
+//! Scenes that are written are read back as the same.
 #![allow(clippy::unwrap_used)]
 
 use std::collections::BTreeSet;

@@ -428,6 +428,12 @@ fn absurd_numbers_are_refused() {
         scene.add(Draft::new("kitchen")).unwrap();
     }
     assert!(scene.build().renumbered(NumberBlock { first: u32::MAX, count: u32::MAX }).is_none());
+    let mut one = SceneBuilder::new("one");
+    one.add_with_id(NodeId(u32::MAX), Draft::new("kitchen")).unwrap();
+    one.numbers(NumberBlock::ALL);
+    let one = one.build();
+    assert!(one.renumbered(NumberBlock { first: 5, count: 0 }).is_none());
+    assert_eq!(one.renumbered(NumberBlock { first: 5, count: 1 }).unwrap().rooms(), [NodeId(5)]);
 }
 
 #[test]

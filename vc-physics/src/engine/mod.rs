@@ -128,7 +128,7 @@ impl Engine {
         self.islands.active_bodies().for_each(|body| self.moved.add(body));
     }
 
-    /// A body, to be changed.
+    /// A body, to be changed; it counts as moved from then on.
     pub(crate) fn body_mut(&mut self, body: RigidBodyHandle) -> Option<&mut RigidBody> {
         self.moved.add(body);
         self.bodies.get_mut(body)
@@ -236,8 +236,8 @@ impl Engine {
     pub(crate) fn add_collider(&mut self, collider: Collider, to: RigidBodyHandle) -> ColliderHandle {
         self.early.take();
         let handle = self.colliders.insert_with_parent(collider, to, &mut self.bodies);
-        // Otherwise a body has no mass before its first step.
         self.moved.add(to);
+        // Otherwise a body has no mass before its first step.
         if let Some(body) = self.bodies.get_mut(to) {
             body.recompute_mass_properties_from_colliders(&self.colliders);
         }

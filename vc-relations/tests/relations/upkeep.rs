@@ -264,7 +264,7 @@ proptest! {
     }
 }
 
-/// What a drawer or a hand is said to do, node by node, equals the same said as a whole.
+/// Evidence that is given node by node equals the same evidence given as a whole.
 fn is_told_node_by_node(seed: Seed) -> Result<(), TestCaseError> {
     let mut life = Life::new(seed);
     life.evidence.carried = seed.stream().chance(0.8).then(BTreeSet::new);

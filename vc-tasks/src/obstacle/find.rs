@@ -18,7 +18,7 @@ pub(crate) fn obstacles(goal: &Goal, graph: &SceneGraph) -> Vec<Obstacle> {
     let is_listed = |o: &Obstacle| matches!(o, Obstacle::UnknownClass { class, .. } if lacks(class));
     let mut found = name_mismatches(goal, graph);
     found.extend(unknown(goal.terms(), graph).into_iter().filter(|obstacle| !is_listed(obstacle)));
-    found.extend(undefined(goal));
+    found.extend(each_once(undefined(goal)));
     found.extend(too_large(goal, graph));
     found.extend(parts);
     found
@@ -41,15 +41,26 @@ fn undefined(goal: &Goal) -> Vec<Obstacle> {
 pub(crate) fn lost(goal: &Goal, graph: &SceneGraph) -> Option<Lost> {
     let goal = &*goal.expanded(graph.vocabulary());
     let mut found = name_mismatches(goal, graph);
-    found.extend(undefined(goal));
+    found.extend(each_once(undefined(goal)));
     found.extend(too_large(goal, graph));
     found.extend(unknown(vacuous::terms(goal), graph));
-    (!found.is_empty()).then_some(Lost::Misnamed(found))
+    (!found.is_empty()).then_some(Lost::Meaningless(found))
 }
 
 /// The labels of a goal that are of another class than their nodes.
 fn name_mismatches(goal: &Goal, graph: &SceneGraph) -> Vec<Obstacle> {
     goal.name_mismatches(graph).into_iter().map(Obstacle::NameMismatch).collect()
+}
+
+/// Obstacles in their order, without repetitions.
+fn each_once(all: Vec<Obstacle>) -> Vec<Obstacle> {
+    let mut found = Vec::new();
+    for obstacle in all {
+        if !found.contains(&obstacle) {
+            found.push(obstacle);
+        }
+    }
+    found
 }
 
 /// The missing nodes and the unknown classes that terms name, each once.

@@ -113,7 +113,10 @@ impl fmt::Display for Obstacle {
             }
             Self::NoDefinition(predicate) => {
                 let name = predicate.as_str();
-                write!(f, "the vocabulary of this scene does not define the predicate `{name}`")
+                write!(
+                    f,
+                    "the vocabulary of this scene does not define the predicate `{name}`: declare it there, or define it in a goal of your own"
+                )
             }
             Self::NameMismatch(mismatch) => mismatch.fmt(f),
             Self::NoSuchNode(label) => write!(f, "there is no `{label}` in this scene"),
@@ -151,9 +154,10 @@ const HANDS: usize = Relation::hands().len();
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Lost {
-    /// Names in the goal stand for nothing, or it is too large to be judged: see [`Task::lost`](crate::Task::lost).
+    /// The goal cannot be judged in this scene: names in it stand for nothing, a predicate is not defined, or it ranges over
+    /// too many objects. See [`Task::lost`](crate::Task::lost).
     #[error("{}", .0.iter().map(Obstacle::to_string).collect::<Vec<_>>().join("; "))]
-    Misnamed(Vec<Obstacle>),
+    Meaningless(Vec<Obstacle>),
     /// A part of it with words of time has been broken.
     #[error("`{0}` does not hold any more, and nothing that is done can change that")]
     Broken(String),

@@ -88,6 +88,33 @@ fn a_domain_keeps_the_order_of_effects() {
     }
 }
 
+/// The last word about a fact counts: also about one's own states, and about what lets things in.
+#[test]
+fn a_domain_says_of_each_fact_one_thing() {
+    let (mut scene, me) = kitchen();
+    let words = "state merry
+                 verb cheer 0 | effects: enter_own merry; leave_own merry
+                 verb flap 1 | needs: near x | effects: enter x open; enter x closed
+                 verb unhinge 1 | needs: near x | effects: leave x closed";
+    scene.set_vocabulary(Vocabulary::parse("words.txt", words).unwrap());
+    let goal = "Merry(me) & Open(fridge.5)".parse().unwrap();
+    let planning = planning(&scene, me, &goal, Keep::Everything).unwrap();
+    let expected = [("cheer", "is_merry", false), ("flap", "lets_in", false), ("unhinge", "lets_in", true)];
+    for (name, predicate, holds) in expected {
+        let operator = planning.domain.operators.iter().find(|operator| operator.name == name).unwrap();
+        let said: Vec<bool> = operator
+            .effect
+            .iter()
+            .filter_map(|effect| match effect {
+                OperatorEffect::Add(atom) if atom.predicate == predicate => Some(true),
+                OperatorEffect::Delete(atom) if atom.predicate == predicate => Some(false),
+                _ => None,
+            })
+            .collect();
+        assert_eq!(said, [holds], "{name} {predicate}: {:?}", operator.effect);
+    }
+}
+
 #[test]
 fn a_domain_says_that_a_state_is_left() {
     let (mut scene, me) = kitchen();

@@ -183,8 +183,9 @@ impl Figure {
             Motion::Point => (self.towards(home, &box_of(x)?.centre())?, level),
             Motion::Cut => (above(&box_of(x)?, 0.02 + chop), level),
             Motion::UseAt | Motion::Play => (box_of(x)?.nearest(&(from + across * swing)), level),
-            Motion::Nothing | Motion::Look | Motion::Go | Motion::Run => return None,
-            Motion::Wave | Motion::Dance | Motion::Exercise | Motion::Stretch => return None,
+            #[rustfmt::skip]
+            Motion::Nothing | Motion::Look | Motion::Go | Motion::Run
+            | Motion::Wave | Motion::Dance | Motion::Exercise | Motion::Stretch => return None,
             _ => (box_of(x)?.nearest(&from), level),
         };
         // Hands find the mouth without looking.

@@ -8,13 +8,6 @@ use super::{FormatError, FormatProblem, NodeFile, Source};
 use crate::{Change, ChangeSet, ClassTable, Node};
 
 #[derive(Deserialize)]
-#[serde(untagged)]
-enum ChangeFile {
-    Node(Box<NodeChange>),
-    Other(Change),
-}
-
-#[derive(Deserialize)]
 #[serde(rename_all = "snake_case")]
 enum NodeChange {
     Add(NodeFile),
@@ -36,18 +29,20 @@ enum NodeChange {
 /// ```
 ///
 /// # Errors
-/// [`FormatError`]: another format, a node with an invalid number.
+/// [`FormatError`]: another format, a node with an invalid number; it names the change.
 pub fn read_changes(text: &str, classes: &ClassTable) -> Result<ChangeSet, FormatError> {
     let source = Source::new("changes", text);
-    let changes: Vec<ChangeFile> = source.json()?;
-    let read = |(index, change): (usize, ChangeFile)| {
-        let (node, changed): (NodeFile, fn(Arc<Node>) -> Change) = match change {
-            ChangeFile::Other(change) => return Ok(change),
-            ChangeFile::Node(change) => match *change {
+    let changes: Vec<serde_json::Value> = source.json()?;
+    let read = |(index, change): (usize, serde_json::Value)| {
+        let shape = |e: serde_json::Error| source.error(format!("[{index}]"), FormatProblem::Shape(e.to_string()));
+        if change.get("add").or_else(|| change.get("remove")).is_none() {
+            return Change::deserialize(change).map_err(shape);
+        }
+        let (node, changed): (NodeFile, fn(Arc<Node>) -> Change) =
+            match NodeChange::deserialize(change).map_err(shape)? {
                 NodeChange::Add(node) => (node, Change::Add),
                 NodeChange::Remove(node) => (node, Change::Remove),
-            },
-        };
+            };
         let change = node.into_node(classes).map(|node| changed(node.into()));
         change.map_err(|field| source.error(format!("[{index}]{field}"), FormatProblem::Number(field[1..].to_owned())))
     };

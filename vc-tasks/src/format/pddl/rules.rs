@@ -351,9 +351,12 @@ impl Way {
             }
             Effect::Leave(t, state) => {
                 self.settle(is_not(state), is(state), variable(t));
+                if state == State::Closed {
+                    self.last(OperatorEffect::Add, "lets_in", variable(t));
+                }
             }
-            Effect::EnterOwn(state) => self.add(is(state), &[HANDS]),
-            Effect::LeaveOwn(state) => self.delete(is(state), &[HANDS]),
+            Effect::EnterOwn(state) => self.last(OperatorEffect::Add, is(state), HANDS),
+            Effect::LeaveOwn(state) => self.last(OperatorEffect::Delete, is(state), HANDS),
             Effect::GoTo(t) => {
                 self.need(AtomicFormula::new("at", &["?from"]));
                 self.need(AtomicFormula::new("leaves", &["?from"]));
@@ -392,20 +395,26 @@ impl Way {
         }
         self.settle(is(state), is_not(state), thing);
         match state {
-            State::Open => self.add("lets_in", &[thing]),
-            State::Closed => self.delete("lets_in", &[thing]),
+            State::Open => self.last(OperatorEffect::Add, "lets_in", thing),
+            State::Closed => self.last(OperatorEffect::Delete, "lets_in", thing),
             _ => {}
         }
     }
 
     /// One fact comes true of a thing and its negation false, whatever earlier effects of the action have said.
     fn settle(&mut self, holds: String, fails: String, thing: &str) {
-        let [holds, fails] = [holds, fails].map(|predicate| AtomicFormula::new(predicate, &[thing]));
+        self.last(OperatorEffect::Delete, fails, thing);
+        self.last(OperatorEffect::Add, holds, thing);
+    }
+
+    /// A fact about a thing comes true or false, whatever earlier effects of the action have said of it.
+    fn last(&mut self, change: fn(AtomicFormula) -> OperatorEffect, predicate: impl Into<String>, thing: &str) {
+        let fact = AtomicFormula::new(predicate, &[thing]);
         self.does.retain(|effect| match effect {
-            OperatorEffect::Add(atom) | OperatorEffect::Delete(atom) => *atom != holds && *atom != fails,
+            OperatorEffect::Add(atom) | OperatorEffect::Delete(atom) => *atom != fact,
             _ => true,
         });
-        self.does.extend([OperatorEffect::Delete(fails), OperatorEffect::Add(holds)]);
+        self.does.push(change(fact));
     }
 
     /// Into the hand, from its support or from the body.
