@@ -1,7 +1,6 @@
 //! Points, headings, seats, slots and sides of actions, with bodies: they are met, or refused with the reason.
 
 use nalgebra::{Point2, Vector3};
-use virtualcity::graph::asset::Hold;
 use virtualcity::graph::clock::Span;
 use virtualcity::graph::{
     Action, Node, NodeId, ObjectRole, Pose, Property, Refusal, Relation, Seed, Side, State, Stream, Verb, rule,
@@ -331,29 +330,6 @@ fn one_sits_on_the_seat_asked_for() {
 }
 
 /// A thing hangs from the hand by the side by which it is taken.
-/// Below the top of a rack or a desk something may stand: the rule leaves it to bodies whether a point is free there.
-#[test]
-fn a_lower_level_takes_no_point_from_the_upper() {
-    let home = home(42, 1);
-    let graph = home.graph();
-    let levels = |id: NodeId| {
-        let asset = graph.assets().get(graph.node(id)?.spec().asset?)?;
-        Some(asset.surfaces.iter().filter(|surface| surface.hold == Hold::On).count())
-    };
-    let mut tried = [0; 2];
-    for (thing, at) in graph.nodes().flat_map(|n| graph.related(n.id(), Relation::On).map(move |at| (n.id(), at))) {
-        let (Some(pose), Some(levels)) = (graph.node(thing).and_then(Node::pose), levels(at)) else { continue };
-        let other = graph.nodes().find(|n| n.affords(Property::Graspable) && n.id() != thing).unwrap().id();
-        let point = (f64::from(pose.translation.x), f64::from(pose.translation.y));
-        let action = Action::place(other, at).at(point.0, point.1).unwrap();
-        let refusals = rule::refusals(graph, home.agents()[0], &action);
-        let taken = refusals.iter().any(|refusal| matches!(refusal, Refusal::PointTaken { .. }));
-        assert!(levels <= 1 || !taken, "{} on {}", graph.label(thing), graph.label(at));
-        tried[usize::from(levels > 1)] += usize::from(taken || levels > 1);
-    }
-    assert!(tried[0] > 5 && tried[1] > 5, "{tried:?}");
-}
-
 #[test]
 fn things_are_taken_by_a_side() {
     let home = home(42, 1);

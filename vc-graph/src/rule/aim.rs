@@ -18,6 +18,8 @@ const SHEET: f32 = 0.005;
 /// How far a point of a surface may be beside the surface's box, metres: numbers are rounded.
 const BESIDE: f32 = 0.01;
 
+/// How far from the height of a surface a thing on it may begin, metres: less than shelves are apart.
+const LEVEL: f32 = 0.05;
 /// Floors whose heights differ by less are on one storey, metres.
 const STOREY: f32 = 1.0;
 
@@ -172,20 +174,49 @@ impl Judged<'_> {
         let distance = graph.node(self.agent).and_then(Node::position).map(|feet| (feet.xy() - plan).norm());
         let far = distance.filter(|distance| *distance > NEAR);
         let out_of_reach = || far.map(|distance| Refusal::PointOutOfReach { point, distance });
-        let taken = || self.standing_there(&plan).map(|by| Refusal::PointTaken { point, by });
+        let taken = || self.standing_there(&point).map(|by| Refusal::PointTaken { point, by });
         beside.map(elsewhere).or_else(out_of_reach).or_else(taken)
     }
 
-    /// Another thing on the target that stands at a point for sure: the middle half of its box is there, and the target
-    /// has no second level, on which it may stand instead.
-    fn standing_there(&self, plan: &Point2<f32>) -> Option<Label> {
+    /// Another thing on the target that stands at a point for sure: the middle half of its box is there, on each level
+    /// of the target that is below the point.
+    fn standing_there(&self, point: &AimPoint) -> Option<Label> {
         let target = self.graph.node(self.action.target?)?;
-        if self.levels(target, Hold::On).is_some_and(|levels| levels > 1) {
-            return None;
-        }
+        let slot = self.action.aim.part();
         let others = self.graph.relating(Relation::On, target.id()).filter(|id| Some(*id) != self.action.object);
-        let mut nodes = others.filter_map(|id| self.graph.node(id));
-        nodes.find(|node| node.stands_at(plan)).map(Node::label)
+        let nodes: Vec<&Node> = others.filter_map(|id| self.graph.node(id)).collect();
+        let there = |node: &&&Node| node.stands_at(&point.plan());
+        if self.levels(target, Hold::On).is_none_or(|levels| levels <= 1) {
+            return nodes.iter().find(there).map(|node| node.label());
+        }
+        let heights = self.level_heights(target, point).filter(|_| slot.is_none())?;
+        let on = |height: f32| {
+            let stands = |node: &&&Node| node.aabb().is_some_and(|b| (b.min.z - height).abs() <= LEVEL);
+            nodes.iter().filter(there).find(stands).map(|node| node.label())
+        };
+        let by: Vec<Label> = heights.into_iter().map(on).collect::<Option<_>>()?;
+        by.into_iter().next()
+    }
+
+    /// The heights of the surfaces on a thing that are below a point, at the height that is asked for; `None` if some are
+    /// not known, as they move.
+    fn level_heights(&self, node: &Node, point: &AimPoint) -> Option<Vec<f32>> {
+        let (asset, pose) = (self.graph.assets().get(node.spec().asset?)?, node.pose()?);
+        let scale = node.spec().scale;
+        let mut heights = Vec::new();
+        for surface in asset.surfaces.iter().filter(|surface| surface.hold == Hold::On) {
+            if surface.joint.is_some() {
+                return None;
+            }
+            let centre = pose * Point3::from(surface.centre.coords.component_mul(&scale));
+            let off = pose.rotation.inverse() * (Point3::new(point.plan().x, point.plan().y, centre.z) - centre);
+            let is_over = off.x.abs() <= surface.half.0 * scale.x && off.y.abs() <= surface.half.1 * scale.y;
+            let is_meant = point.height().is_none_or(|height| (height - centre.z).abs() <= LEVEL);
+            if is_over && is_meant {
+                heights.push(centre.z);
+            }
+        }
+        Some(heights)
     }
 
     fn part(&self, part: AimPart) -> Option<Refusal> {

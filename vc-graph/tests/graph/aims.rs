@@ -1,12 +1,15 @@
 //! Points, headings, seats, slots and sides of actions: their text, their rule, and what they bring about.
 #![allow(clippy::unwrap_used)]
 
+use nalgebra::Point3;
 use proptest::prelude::*;
+use vc_graph::asset::{Hold, Surface};
 use vc_graph::format::program::{self, Program};
 use vc_graph::rule::table::RULES;
 use vc_graph::{
-    Action, ActionTextError, Aim, AimError, AimPart, AimPoint, Bounds, Draft, Effect, Heading, NodeId, Place, Pose,
-    Refusal, Relation, SceneBuilder, SceneGraph, Semantics, Side, Simulator, Verb, Vocabulary, Word, rule,
+    Action, ActionTextError, Aim, AimError, AimPart, AimPoint, Asset, AssetLibrary, Bounds, Draft, Effect, Heading,
+    NodeId, Place, Pose, Refusal, Relation, SceneBuilder, SceneGraph, Semantics, Side, Simulator, Verb, Vocabulary,
+    Word, rule,
 };
 use vc_testkit::cases;
 use vc_testkit::goals::words;
@@ -352,4 +355,46 @@ fn without_poses_points_change_nothing() {
 #[test]
 fn actions_stay_small() {
     assert!(size_of::<Action>() <= 52, "{}", size_of::<Action>());
+}
+
+/// A point of a rack is taken when something stands below it on each of the boards that are meant.
+#[test]
+fn a_point_of_a_rack_is_taken_board_by_board() {
+    let home = home();
+    let mut scene = SceneBuilder::from_graph(home.graph.clone());
+    let board = |name: &str, height: f32| Surface {
+        name: name.into(),
+        hold: Hold::On,
+        centre: Point3::new(0.0, 0.0, height),
+        half: (0.2, 0.5),
+        clearance: None,
+        joint: None,
+    };
+    let rack = Asset { name: "rack".into(), surfaces: vec![board("low", 0.4), board("top", 0.8)], ..Asset::default() };
+    let mut shapes = AssetLibrary::default();
+    let asset = Some(shapes.add(rack).unwrap());
+    scene.assets(shapes.into());
+    let at = Pose::translation(2.0, 3.0, 0.0);
+    let bounds = Bounds::standing([0.4, 1.0, 0.8].into());
+    let rack = Draft { asset, ..Draft::new("bookshelf").bounds(bounds).at(at) };
+    let rack = scene.add_in(home.kitchen, rack).unwrap();
+    let thing = Bounds::standing([0.1, 0.1, 0.1].into());
+    let mut edit = scene.edit();
+    edit.hold(home.me, home.cup).unwrap();
+    edit.commit();
+    let mut taken = |scene: &mut SceneBuilder, height: Option<f32>| {
+        if let Some(z) = height {
+            scene.add_on(rack, Draft::new("bowl").bounds(thing).at(Pose::translation(2.0, 2.8, z))).unwrap();
+        }
+        let place = Action::place(home.cup, rack);
+        let points = [None, Some(0.4), Some(0.8)].map(|z| AimPoint::new(2.0, 2.8, z).unwrap());
+        points.map(|point| {
+            let action = Action { aim: Aim::NOTHING.with_point(point), ..place };
+            let refusals = rule::refusals(scene.graph(), home.me, &action);
+            refusals.iter().any(|refusal| matches!(refusal, Refusal::PointTaken { .. }))
+        })
+    };
+    assert_eq!(taken(&mut scene, None), [false, false, false]);
+    assert_eq!(taken(&mut scene, Some(0.401)), [false, true, false]);
+    assert_eq!(taken(&mut scene, Some(0.801)), [true, true, true]);
 }
