@@ -58,6 +58,7 @@ impl Environment {
             return Err(ActionError::Busy(self.graph.label(agent)));
         }
         self.world.go(agent, steering.velocity).map_err(|e| impossible(e.into()))?;
+        self.stays_aside(agent);
         if steering.jump {
             self.world.jump(agent).map_err(|e| impossible(e.into()))?;
         }

@@ -3,7 +3,7 @@
 use nalgebra::{Point2, Vector3};
 use virtualcity::graph::clock::Span;
 use virtualcity::graph::{
-    Action, Node, NodeId, ObjectRole, Pose, Property, Refusal, Relation, Seed, Side, State, Stream, Verb, rule,
+    Action, Node, NodeId, ObjectRole, Pose, Property, Refusal, Relation, Seed, Side, State, Stream, Verb,
 };
 use virtualcity::physics::{BodyRole, Posture};
 use virtualcity::{ActionError, Environment, PhysicalRefusal, SpotRefusal};

@@ -103,8 +103,8 @@ impl Environment {
         }
     }
 
-    /// An agent that begins something makes way no longer.
-    pub(super) fn stays_aside(&mut self, agent: NodeId) {
+    /// An agent that begins something, or is moved by somebody, makes way no longer.
+    pub(in crate::environment) fn stays_aside(&mut self, agent: NodeId) {
         for schedule in self.clock.running.values_mut() {
             if let Track::Way(way) = &mut schedule.track {
                 way.aside.retain(|step| step.agent != agent);

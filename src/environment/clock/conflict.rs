@@ -84,15 +84,13 @@ impl Environment {
         let Some(action) = self.clock.running.get(&agent).map(|schedule| schedule.action) else { return Ok(()) };
         let now = self.tick();
         let met: Vec<_> = self.ways(agent).filter_map(|(who, way)| Some((who, way.in_doorway(leaf.id)?))).collect();
-        for (by, (from, to)) in met {
-            let door = self.graph.label(leaf.id);
-            if from <= now && now <= to {
-                let why = Interruption::InDoorway { door, by: self.graph.label(by) };
-                return Err(self.interrupted(&action, why));
-            }
-            if from > now && from <= leaf.end() {
-                self.interrupt_for(by, Interruption::Shut { door, by: self.graph.label(agent) });
-            }
+        let door = self.graph.label(leaf.id);
+        if let Some((by, _)) = met.iter().find(|(_, (from, to))| *from <= now && now <= *to) {
+            let why = Interruption::InDoorway { door, by: self.graph.label(*by) };
+            return Err(self.interrupted(&action, why));
+        }
+        for (by, _) in met.into_iter().filter(|(_, (from, _))| *from > now && *from <= leaf.end()) {
+            self.interrupt_for(by, Interruption::Shut { door: door.clone(), by: self.graph.label(agent) });
         }
         let open = leaf.openness();
         for schedule in self.clock.running.values_mut() {
@@ -103,8 +101,9 @@ impl Environment {
         Ok(())
     }
 
-    /// Puts doors that somebody passes where they are in this tick, as far as there is room for them.
-    pub(super) fn put_passed_doors(&mut self) {
+    /// How open the doors are in this tick that somebody passes or has passed: as the one who needs it widest has it. One
+    /// that a hand moves is with that hand.
+    pub(super) fn passed_doors(&self) -> BTreeMap<NodeId, f32> {
         let mut doors: BTreeMap<NodeId, f32> = BTreeMap::new();
         let now = self.tick();
         for way in self.clock.running.values().filter_map(|schedule| schedule.track.way()) {
@@ -113,7 +112,17 @@ impl Environment {
                 *widest = widest.max(open);
             }
         }
-        doors.into_iter().for_each(|(door, open)| self.move_passed_door(door, open, None));
+        for schedule in self.clock.running.values() {
+            if let Track::Leaf(leaf) = &schedule.track {
+                doors.remove(&leaf.id);
+            }
+        }
+        doors
+    }
+
+    /// Puts doors that somebody passes where they are in this tick, as far as there is room for them.
+    pub(super) fn put_passed_doors(&mut self) {
+        self.passed_doors().into_iter().for_each(|(door, open)| self.move_passed_door(door, open, None));
     }
 
     /// Moves a door that somebody passes or has passed, past those who walk and one more.

@@ -4,6 +4,7 @@ use vc_graph::clock::Tick;
 use vc_graph::{Action, ChangeSet, Label, NodeId, Refusal};
 
 use crate::environment::ActionError;
+use crate::environment::error::in_a_row;
 
 /// An action that has ended, as [`Environment::step`](crate::Environment::step) reports it.
 #[derive(Debug, Clone, PartialEq)]
@@ -54,9 +55,9 @@ pub enum Interruption {
     },
     /// Others are in the way and have not left within ten seconds, or a thing is that has come there; there is no way
     /// round.
-    #[error("{} in the way: let them walk elsewhere first, or move what can be moved", .by.iter().map(Label::to_string).collect::<Vec<_>>().join(", "))]
+    #[error("{} in the way: let them walk elsewhere first, or move what can be moved", something(.by))]
     Blocked {
-        /// The agents or the thing.
+        /// The agents or the thing; empty if nothing is found where there was no way.
         by: Vec<Label>,
     },
     /// The transition rule allows the action no longer.
@@ -68,4 +69,8 @@ pub enum Interruption {
     /// The agent was given another action.
     #[error("another action was given: {0}")]
     Replaced(Action),
+}
+
+fn something(labels: &[Label]) -> String {
+    if labels.is_empty() { "something is".to_owned() } else { in_a_row(labels) }
 }

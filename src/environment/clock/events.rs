@@ -24,21 +24,35 @@ const PUSHING: u32 = 300;
 type Going = Result<(), ActionError>;
 
 impl Environment {
+    /// Begins an action. One that the rule refuses changes nothing; another one breaks off what the agent is doing.
     pub(super) fn begin_action(&mut self, agent: NodeId, action: Action) {
+        if self.is_refused(agent, &action) {
+            return;
+        }
         if self.clock.running.contains_key(&agent) {
             self.interrupt_for(agent, Interruption::Replaced(action));
+            // That may have left things otherwise.
+            if self.is_refused(agent, &action) {
+                return;
+            }
         }
         if self.controlled(agent).is_some() {
             return self.end(agent, action, Err(ActionError::Busy(self.graph.label(agent))));
-        }
-        let refusals = rule::refusals(&self.graph, agent, &action);
-        if !refusals.is_empty() {
-            return self.end(agent, action, Err(ActionError::Refused(refusals)));
         }
         self.stays_aside(agent);
         let tasks = if self.start.time.bodies { Task::of(self.graph.vocabulary(), &action) } else { VecDeque::new() };
         self.clock.running.insert(agent, Schedule::new(action, tasks));
         self.go_on(agent);
+    }
+
+    /// Ends an action that the rule refuses; whether it does.
+    fn is_refused(&mut self, agent: NodeId, action: &Action) -> bool {
+        let refusals = rule::refusals(&self.graph, agent, action);
+        let refused = !refusals.is_empty();
+        if refused {
+            self.end(agent, *action, Err(ActionError::Refused(refusals)));
+        }
+        refused
     }
 
     /// The event that is due.
@@ -216,7 +230,7 @@ impl Environment {
         past.extend(stands.then_some(agent));
         let planned = self.world.parts(drive.id).plan(drive.open, &past);
         let ends = planned.map_err(|e| self.cannot(agent, e.into()))?.filter(|_| !drive.pushes);
-        // It moves from now on: only by then those who walk into it are told.
+        // It moves from now on: those who would walk into it are told now, not before.
         let whole = vec![drive.open; self.world.parts(drive.id).all().len()];
         self.heed_passers(agent, &Leaf::new(&self.world, drive.id, &whole, now))?;
         let Some(ends) = ends else { return self.push(agent, &drive, false) };

@@ -114,7 +114,7 @@ impl Sidestep {
         self.now(at).feet(at)
     }
 
-    /// The way that is gone in a tick.
+    /// The way that is walked in a tick.
     pub(super) fn now(&self, at: Tick) -> &Way {
         if at < self.back.begin { &self.out } else { &self.back }
     }
@@ -153,11 +153,11 @@ impl Way {
     /// The tick at which the walker stands, the doors behind are shut, and whoever has made way is back.
     pub(super) fn end(&self) -> Tick {
         let back = self.aside.iter().map(|step| step.back.end()).max().unwrap_or_default();
-        self.stands().max(back)
+        self.standing_from().max(back)
     }
 
-    /// The tick at which the walker stands, and the doors behind are shut.
-    fn stands(&self) -> Tick {
+    /// The tick from which on the walker stands, and the doors behind are shut.
+    fn standing_from(&self) -> Tick {
         self.doors.iter().map(|passage| passage.ticks(self)[3]).fold(self.last_turn().end(), Tick::max)
     }
 
@@ -172,9 +172,10 @@ impl Way {
         Pose::from_parts(Translation3::new(point.x, point.y, self.to.translation.z), turned)
     }
 
-    /// How open the doors of this walk are in a tick.
+    /// How open the doors of this walk are in a tick, of those that the walker has begun to open by then.
     pub(super) fn passes(&self, at: Tick) -> impl Iterator<Item = (NodeId, f32)> + '_ {
-        self.doors.iter().map(move |passage| (passage.door, passage.open(self, at)))
+        let begun = self.doors.iter().filter(move |passage| passage.ticks(self)[0] <= at);
+        begun.map(move |passage| (passage.door, passage.open(self, at)))
     }
 
     /// The ticks in which the body is in a doorway.

@@ -128,6 +128,7 @@ impl Environment {
         if let Some(why) = without.or_else(fault) {
             return Err(ActionError::Impossible { attempt: Attempt::named("control"), why });
         }
+        self.stays_aside(agent);
         self.clock.controls.all.insert(agent, *control);
         self.clock.controls.new = true;
         Ok(())

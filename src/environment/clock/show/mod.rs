@@ -53,20 +53,19 @@ impl Environment {
         let mut still = Self { clock, poses: BTreeMap::new(), ..self.clone() };
         still.clock.changed.clone_from(&self.clock.changed);
         still.clock.unseen = true;
-        let mut doors: BTreeMap<NodeId, f32> = BTreeMap::new();
         for (&agent, schedule) in &self.clock.running {
             still.clock.changed.push(agent);
-            still.show_track(agent, &schedule.track, &mut doors);
+            still.show_track(agent, &schedule.track);
             still.show_body(self, agent, schedule);
         }
         // Doors and drawers are there and can be open so far.
-        doors.into_iter().for_each(|(door, open)| drop(still.world.put_open(door, None, open)));
+        self.passed_doors().into_iter().for_each(|(door, open)| drop(still.world.put_open(door, None, open)));
         // For the moment between two ticks things may be where no relation can be told; then those before hold.
         drop(still.read_moved());
         still
     }
 
-    fn show_track(&mut self, agent: NodeId, track: &Track, doors: &mut BTreeMap<NodeId, f32>) {
+    fn show_track(&mut self, agent: NodeId, track: &Track) {
         let now = self.tick();
         if let Some(feet) = track.feet(now) {
             // It stood there before.
@@ -79,12 +78,7 @@ impl Environment {
                     .into_iter()
                     .for_each(|(part, open)| drop(self.world.put_open(leaf.id, Some(part), open)));
             }
-            // A door is as open as the one who needs it widest has it.
             Track::Way(way) => {
-                for (door, open) in way.passes(now) {
-                    let widest = doors.entry(door).or_insert(open);
-                    *widest = widest.max(open);
-                }
                 for step in &way.aside {
                     // It stood there before.
                     let _ = self.world.teleport(step.agent, step.feet(now));
