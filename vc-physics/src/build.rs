@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use rapier3d::dynamics::{RigidBodyBuilder, RigidBodyHandle};
 use rapier3d::geometry::SharedShape;
 use rapier3d::math::Pose as EnginePose;
-use vc_graph::{Node, NodeId, NodeKind, ObjectRole, Pose, Property, SceneGraph};
+use vc_graph::{Node, NodeId, NodeKind, ObjectRole, Property, SceneGraph};
 
 use crate::engine::Engine;
 use crate::ground::Storeys;
@@ -176,7 +176,7 @@ impl PhysicsWorld {
             ground: deepened.as_ref().map_or(0.0, |_| ground),
         };
         let mut thing = Thing { id: node.id(), form, places: Places::new(node), state };
-        thing.state.base = self.add_base(&thing, deepened, &pose);
+        thing.state.base = self.add_base(&thing, deepened, &convert::pose(&pose));
         joints::add(&mut self.engine, &mut thing, &self.settings, node.is(vc_graph::State::Open));
         let at = self.things.partition_point(|t| t.id < thing.id);
         self.things.insert(at, thing);
@@ -184,13 +184,19 @@ impl PhysicsWorld {
     }
 
     /// Adds the body of a thing's base, with another shape in place of its own if one is given.
-    fn add_base(&mut self, thing: &Thing, instead: Option<(SharedShape, EnginePose)>, pose: &Pose) -> RigidBodyHandle {
+    pub(crate) fn add_base(
+        &mut self,
+        thing: &Thing,
+        instead: Option<(SharedShape, EnginePose)>,
+        pose: &EnginePose,
+    ) -> RigidBodyHandle {
         let builder = match thing.state.role {
             BodyRole::Loose => RigidBodyBuilder::dynamic(),
+            BodyRole::Carried => RigidBodyBuilder::kinematic_position_based(),
             _ => RigidBodyBuilder::fixed(),
         };
         let link = &thing.form.links[0];
-        let builder = builder.pose(convert::pose(pose)).user_data(group::mark(thing.id, 0));
+        let builder = builder.pose(*pose).user_data(group::mark(thing.id, 0));
         let body = self.engine.add_body(builder);
         if let Some((shape, at)) = instead.as_ref().or(link.solid.as_ref()) {
             let collider =

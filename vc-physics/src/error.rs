@@ -57,6 +57,39 @@ pub enum PhysicsError<N = NodeId> {
     BadWater(&'static str),
 }
 
+/// The reason why a world cannot be recorded, or a record not be read. Nodes are given as in [`PhysicsError`].
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum RestError<N = NodeId> {
+    /// Something moves, or is about to: things, agents, or parts that are driven.
+    #[error("{} still: let all come to rest first", moves(.0))]
+    Moves(Vec<N>),
+    /// An agent's hands are guided.
+    #[error("a hand of {0} is guided; release it first")]
+    Guided(N),
+    /// A vehicle is not where it was at the start: records know no wheels.
+    #[error("{0} is a vehicle that has driven, and records know no wheels; save the whole world")]
+    Vehicle(N),
+    /// A thing has been stopped since the start: nobody knows where it is.
+    #[error("{0} was stopped, as it became non-finite or fell below everything; place it first")]
+    Stopped(N),
+    /// The world has not come from the one that was given as its start.
+    #[error("the two worlds have different agents: the one has not come from the other")]
+    OtherWorld,
+    /// Things do not stay where they were recorded.
+    #[error("{} when built anew: they are within something, or something holds them that is not recorded", moves(.0))]
+    Restless(Vec<N>),
+}
+
+fn moves<N: std::fmt::Display>(nodes: &[N]) -> String {
+    let names: Vec<String> = nodes.iter().map(N::to_string).collect();
+    match names.len() {
+        0 => "something moves".to_owned(),
+        1 => format!("{} moves", names[0]),
+        _ => format!("{} move", names.join(", ")),
+    }
+}
+
 /// The reason why an agent cannot do something with its body. Nodes are given as in [`PhysicsError`].
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]

@@ -36,12 +36,12 @@ mod world;
 
 pub use agent::{PartsToMoveAside, ShutDoors, WalkState};
 pub use contact::Contact;
-pub use error::{AgentError, PhysicsError, SnapshotError};
+pub use error::{AgentError, PhysicsError, RestError, SnapshotError};
 pub use joints::MovingPart;
 pub use nav::{DoorHandling, Floor, FloorOptions, Occupancy, Route, StandingPose};
 pub use place::{Packing, SpotFault, SpotOrder, SpotSearch, SpotWish, SupportSurface};
 pub use reset::Reset;
-pub use rest::RestProgress;
+pub use rest::{RestProgress, RestRecord};
 pub use role::BodyRole;
 pub use settings::{FixedThings, Settings, UnsupportedThings};
 pub use settle::{Displacement, Settling};

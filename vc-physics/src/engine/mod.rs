@@ -4,6 +4,7 @@ mod contact_completion;
 mod contact_reduction;
 mod moved;
 mod prediction;
+mod still;
 
 use std::sync::OnceLock;
 
@@ -19,6 +20,7 @@ use serde::{Deserialize, Deserializer, Serialize};
 
 use crate::convert;
 use moved::Moved;
+pub(crate) use still::{resting_pose, same_rest};
 
 /// The distance at which two bodies get contact points, metres. The engine's default of two centimetres is as
 /// wide as a cup's foot: points that do not touch would crowd out those that do, and small things would rock
@@ -102,11 +104,16 @@ impl Engine {
     /// Does one step; returns the bodies that became non-finite and were stopped.
     pub(crate) fn step(&mut self) -> &[RigidBodyHandle] {
         self.predict_contacts();
+        self.advance(self.parameters.dt, self.gravity)
+    }
+
+    /// Does one step of some length, seconds, under some gravity.
+    fn advance(&mut self, dt: f32, gravity: f32) -> &[RigidBodyHandle] {
         self.note_awake();
         (self.started, self.early) = (true, OnceLock::new());
         self.scratch.pipeline.step(
-            convert::vector(Vector3::new(0.0, 0.0, -self.gravity)),
-            &self.parameters,
+            convert::vector(Vector3::new(0.0, 0.0, -gravity)),
+            &IntegrationParameters { dt, ..self.parameters },
             &mut self.islands,
             &mut self.broad,
             &mut self.narrow,

@@ -256,18 +256,26 @@ impl PhysicsWorld {
         (slow && (position - target).abs() <= ARRIVED * (moving.limits.1 - moving.limits.0), position)
     }
 
-    /// Ends a motor's motion: friction holds the part, a closed part latches, a locked one is blocked.
+    /// Ends a motor's motion: a closed part latches.
     fn settle_part(&mut self, index: usize, part: usize) {
         let position = self.part_position(&self.things[index], part);
-        let thing = &mut self.things[index];
-        let (link, fixed_base) = (&thing.form.links[part + 1], thing.state.role == BodyRole::Fixed);
-        let friction = link.joint.map_or(0.0, |j| friction(&j, link, &self.settings)) * thing.state.mass_factor;
-        let moving = &mut thing.state.moving[part];
-        let (Some(body), Some(position)) = (moving.body, position) else { return };
+        let moving = &mut self.things[index].state.moving[part];
+        let (Some(_), Some(position)) = (moving.body, position) else { return };
         let slack = ARRIVED * (moving.limits.1 - moving.limits.0);
         let shut = (position - closed(moving.limits)).abs() <= slack;
         moving.target = None;
         moving.latched = self.settings.latches && shut;
+        self.hold_part(index, part);
+    }
+
+    /// Holds a part where it is, as its state says: friction does, or a latch or a lock.
+    pub(crate) fn hold_part(&mut self, index: usize, part: usize) {
+        let position = self.part_position(&self.things[index], part);
+        let thing = &self.things[index];
+        let (link, fixed_base) = (&thing.form.links[part + 1], thing.state.role == BodyRole::Fixed);
+        let friction = link.joint.map_or(0.0, |j| friction(&j, link, &self.settings)) * thing.state.mass_factor;
+        let moving = thing.state.moving[part];
+        let (Some(body), Some(position)) = (moving.body, position) else { return };
         let stuck = moving.locked || moving.latched;
         if let Some(rigid) = self.engine.body_mut(body) {
             let fixed = stuck && fixed_base;

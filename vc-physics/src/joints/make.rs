@@ -3,6 +3,7 @@
 use rapier3d::dynamics::{
     GenericJoint, JointAxis, MotorModel, PrismaticJointBuilder, RevoluteJointBuilder, RigidBodyBuilder, RigidBodyType,
 };
+use rapier3d::math::Pose as EnginePose;
 use vc_graph::asset::{Joint, JointKind};
 
 use super::motion::{closed, opened};
@@ -14,14 +15,15 @@ use crate::{BodyRole, Settings, convert, group};
 /// The mass from which on a base carries jointed bodies, kilograms.
 const STURDY: f32 = 10.0;
 
-/// Creates the bodies of a thing's moving parts.
+/// Creates the bodies of a thing's moving parts, all open or all closed.
 pub(crate) fn add(engine: &mut Engine, thing: &mut Thing, settings: &Settings, open: bool) {
-    let sturdy = thing.state.role == BodyRole::Fixed || thing.form.mass() * thing.state.mass_factor > STURDY;
+    let fixed = thing.state.role == BodyRole::Fixed;
+    let sturdy = fixed || thing.form.mass() * thing.state.mass_factor > STURDY;
+    let base = engine.pose(thing.state.base).filter(|_| sturdy);
     for index in 1..thing.form.links.len() {
-        let form = thing.form.clone();
-        let link = &form.links[index];
-        let Some(joint) = link.joint else { continue };
+        let Some(joint) = thing.form.links[index].joint else { continue };
         let position = if open { opened(joint.limits) } else { closed(joint.limits) };
+        let latched = sturdy && fixed && settings.latches && position == closed(joint.limits);
         let moving = Moving {
             body: None,
             joint: None,
@@ -30,24 +32,54 @@ pub(crate) fn add(engine: &mut Engine, thing: &mut Thing, settings: &Settings, o
             target: None,
             patience: 0,
             locked: false,
-            latched: false,
+            latched,
         };
-        let moving = if sturdy { jointed(engine, thing, index, moving, settings) } else { moving };
-        if !sturdy {
-            weld(engine, thing, index, position);
-        }
-        thing.state.moving.push(moving);
+        let at = base.map(|base| convert::pose(&(base * joint.motion(position))));
+        add_part(engine, thing, settings, (index, moving), at);
     }
 }
 
-/// A part with a body of its own.
-fn jointed(engine: &mut Engine, thing: &Thing, index: usize, moving: Moving, settings: &Settings) -> Moving {
+/// Creates the bodies of moving parts again: those that have bodies at poses, in their order, and the others as far open
+/// as they are.
+pub(crate) fn add_again(engine: &mut Engine, thing: &mut Thing, settings: &Settings, poses: &[EnginePose]) {
+    let mut poses = poses.iter();
+    for part in (1..).zip(std::mem::take(&mut thing.state.moving)) {
+        let at = part.1.body.and_then(|_| poses.next().copied());
+        add_part(engine, thing, settings, part, at);
+    }
+}
+
+/// Adds a part, by the number of its link, with a body of its own at a pose, or none.
+fn add_part(
+    engine: &mut Engine,
+    thing: &mut Thing,
+    settings: &Settings,
+    (index, moving): (usize, Moving),
+    at: Option<EnginePose>,
+) {
+    let moving = match at {
+        Some(at) => jointed(engine, thing, settings, (index, moving), at),
+        None => {
+            weld(engine, thing, index, moving.position);
+            moving
+        }
+    };
+    thing.state.moving.push(moving);
+}
+
+/// A part with a body of its own, which does not move while it is latched.
+fn jointed(
+    engine: &mut Engine,
+    thing: &Thing,
+    settings: &Settings,
+    (index, moving): (usize, Moving),
+    at: EnginePose,
+) -> Moving {
     let link = &thing.form.links[index];
-    let (Some(joint), Some(base)) = (link.joint, engine.pose(thing.state.base)) else { return moving };
-    let latched = settings.latches && moving.position == closed(joint.limits) && thing.state.role == BodyRole::Fixed;
-    let kind = if latched { RigidBodyType::Fixed } else { RigidBodyType::Dynamic };
+    let Some(joint) = link.joint else { return moving };
+    let kind = if moving.latched { RigidBodyType::Fixed } else { RigidBodyType::Dynamic };
     let builder = RigidBodyBuilder::new(kind)
-        .pose(convert::pose(&(base * joint.motion(moving.position))))
+        .pose(at)
         .gravity_scale(if settings.balanced { 0.0 } else { 1.0 })
         .user_data(group::mark(thing.id, index));
     let body = engine.add_body(builder);
@@ -58,7 +90,7 @@ fn jointed(engine: &mut Engine, thing: &Thing, index: usize, moving: Moving, set
     let mut data = engine_joint(&joint);
     idle(&mut data, joint.kind, friction(&joint, link, settings) * thing.state.mass_factor);
     let handle = engine.joints.insert(thing.state.base, body, data, true);
-    Moving { body: Some(body), joint: Some(handle), latched, ..moving }
+    Moving { body: Some(body), joint: Some(handle), ..moving }
 }
 
 /// A part that moves with its base: only its local pose changes.

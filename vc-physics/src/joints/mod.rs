@@ -19,7 +19,7 @@ use crate::convert;
 use crate::state::Thing;
 use crate::world::PhysicsWorld;
 
-pub(crate) use make::add;
+pub(crate) use make::{add, add_again};
 
 /// The largest opening of a part that counts as closed, as a fraction.
 pub(crate) const SHUT: f32 = 0.02;

@@ -3,6 +3,7 @@
 mod damping;
 mod island;
 mod progress;
+mod recorded;
 mod sleep;
 
 use rapier3d::dynamics::RigidBodyHandle;
@@ -12,6 +13,7 @@ use crate::world::PhysicsWorld;
 use crate::{BodyRole, PhysicsError, convert};
 
 pub use progress::RestProgress;
+pub use recorded::RestRecord;
 
 /// # Rest
 impl PhysicsWorld {
@@ -29,11 +31,7 @@ impl PhysicsWorld {
     pub fn rest(&mut self) {
         self.step();
         let all: Vec<RigidBodyHandle> = self.engine.awake_bodies().collect();
-        for &body in &all {
-            if let Some(rigid) = self.engine.body_mut(body).filter(|b| b.is_dynamic()) {
-                rigid.sleep();
-            }
-        }
+        self.engine.put_all_to_sleep();
         self.record_sleepers(&all);
     }
 

@@ -11,6 +11,7 @@ mod joints;
 mod known_answers;
 mod navigation;
 mod reads;
+mod recorded;
 mod rest;
 mod scenes;
 mod traps;
