@@ -1,0 +1,141 @@
+//! From pieces and clusters to junctions, roads and crossings.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::clusters::Clusters;
+use super::network::{Network, Piece};
+use super::{Element, ImportReport, Reason};
+use crate::{
+    Control, CrossingDraft, CrossingKind, JunctionDraft, JunctionId, MapDraft, Point, RoadClass, RoadDraft, RoadId,
+};
+
+/// A crossing lies on the arm whose road leaves the junction over its node, at most this far from the node, metres.
+const ON_ARM: f64 = 6.0;
+
+pub(super) fn emit(
+    network: &Network<'_>,
+    clusters: &Clusters,
+    lit: &BTreeSet<u32>,
+    draft: &mut MapDraft,
+    report: &mut ImportReport,
+) {
+    let mut emitter = Emitter { network, clusters, ids: BTreeMap::new(), draft, roads: BTreeMap::new() };
+    for (_, piece) in network.all() {
+        emitter.road(piece, lit, report);
+    }
+    emitter.crossings();
+    emitter.edges();
+}
+
+struct Emitter<'a> {
+    network: &'a Network<'a>,
+    clusters: &'a Clusters,
+    ids: BTreeMap<u32, JunctionId>,
+    draft: &'a mut MapDraft,
+    /// The roads that begin or end at each node.
+    roads: BTreeMap<u32, Vec<RoadId>>,
+}
+
+impl Emitter<'_> {
+    fn junction(&mut self, node: u32, lit: &BTreeSet<u32>) -> JunctionId {
+        let head = self.clusters.of(node);
+        if let Some(id) = self.ids.get(&head) {
+            return *id;
+        }
+        let members: Vec<u32> = self.clusters.members.get(&head).cloned().unwrap_or_else(|| vec![node]);
+        // The nodes at which streets meet say where the middle is; crossings lie around it.
+        let meets = |node: &&u32| super::clusters::degree(self.network, **node) > 2;
+        let main: Vec<u32> = members.iter().filter(meets).copied().collect();
+        let of = if main.is_empty() { &members } else { &main };
+        let sum: nalgebra::Vector2<f64> = of.iter().map(|node| self.network.points[*node as usize].coords).sum();
+        let at = Point::from(sum / of.len() as f64);
+        let all_stop = members.iter().any(|node| self.network.marks.get(node).is_some_and(|marks| marks.all_stop));
+        let control = match () {
+            () if lit.contains(&head) => Control::Signals,
+            () if all_stop => Control::AllWayStop,
+            () => Control::Priority,
+        };
+        let source = members.iter().map(|node| self.network.data.nodes[*node as usize].id).collect();
+        let id = JunctionId::of(self.draft.junctions.len());
+        self.draft.junctions.push(JunctionDraft { at: at.into(), control, source });
+        self.ids.insert(head, id);
+        id
+    }
+
+    fn road(&mut self, piece: &Piece, lit: &BTreeSet<u32>, report: &mut ImportReport) {
+        let [first, last] = piece.ends();
+        let within = self.clusters.of(first) == self.clusters.of(last) && first != last;
+        if within && piece.length < 100.0 {
+            return report.drop(Element::Way(piece.way), Reason::WithinJunction);
+        }
+        let ends = [self.junction(first, lit), self.junction(last, lit)];
+        if ends.iter().any(|end| self.arms(*end) >= crate::build::MOST_ARMS - 2) {
+            return report.drop(Element::Way(piece.way), Reason::TooManyMeet);
+        }
+        let street = self.network.street(piece);
+        let line = piece.nodes.iter().map(|node| self.network.points[*node as usize].into()).collect();
+        let id = RoadId::of(self.draft.roads.len());
+        self.draft.roads.push(RoadDraft {
+            from: ends[0],
+            to: ends[1],
+            line,
+            class: street.class,
+            name: street.name.clone(),
+            section: street.section.clone(),
+            layer: street.layer,
+            structure: street.structure,
+            roundabout: street.roundabout,
+            private: street.private,
+            source: piece.way,
+        });
+        for node in [first, last] {
+            self.roads.entry(self.clusters.of(node)).or_default().push(id);
+        }
+    }
+
+    fn arms(&self, junction: JunctionId) -> usize {
+        let source = self.draft.junctions[junction.index()].source.first();
+        let head = source.and_then(|id| self.network.data.node(*id)).map(|node| self.clusters.of(node as u32));
+        head.and_then(|head| self.roads.get(&head)).map_or(0, Vec::len)
+    }
+
+    /// The crossings at nodes of clusters: each over the street that leaves nearest to it.
+    fn crossings(&mut self) {
+        for (node, marks) in &self.network.marks {
+            let (Some(kind), true) = (marks.crossing, self.network.at.contains_key(node)) else { continue };
+            if self.network.streets_at(*node).next().is_none() {
+                continue;
+            }
+            let head = self.clusters.of(*node);
+            let Some(at) = self.ids.get(&head).copied() else { continue };
+            let point = self.network.points[*node as usize];
+            let street = |road: &&RoadId| self.draft.roads[road.index()].class.is_street();
+            let away = |road: &RoadId| self.away(*road, &point);
+            let roads = self.roads.get(&head).into_iter().flatten().filter(street);
+            let nearest = roads.map(|road| (away(road), *road)).min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+            let Some((_, road)) = nearest.filter(|(away, _)| *away < ON_ARM) else { continue };
+            let kind = if self.draft.junctions[at.index()].control == Control::Signals { kind } else { kind.max(CrossingKind::Marked).min(kind) };
+            let source = self.network.data.nodes[*node as usize].id;
+            self.draft.crossings.push(CrossingDraft { at, road, kind, island: marks.island, source });
+        }
+    }
+
+    /// The distance of a road from a point, metres.
+    fn away(&self, road: RoadId, point: &Point) -> f64 {
+        let line = crate::Polyline::new(self.draft.roads[road.index()].line.iter().copied());
+        line.map_or(f64::INFINITY, |line| (line.project(point).point - point).norm())
+    }
+
+    /// Junctions at which a single way leaves the map.
+    fn edges(&mut self) {
+        for (head, roads) in &self.roads {
+            let streets = roads.iter().filter(|road| self.draft.roads[road.index()].class < RoadClass::Pedestrian).count();
+            let edge = self.clusters.members.get(head).into_iter().flatten().any(|node| self.network.is_edge(*node));
+            if streets <= 1 && roads.len() <= 2 && edge {
+                if let Some(id) = self.ids.get(head) {
+                    self.draft.junctions[id.index()].control = Control::Edge;
+                }
+            }
+        }
+    }
+}
