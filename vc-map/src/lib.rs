@@ -4,6 +4,7 @@
 mod build;
 mod draft;
 mod error;
+pub mod format;
 mod geo;
 mod id;
 mod index;

@@ -21,6 +21,18 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         let car = map.length_of(|lane, road| lane.users.has(Users::CAR) && road.draft.class.is_through());
         let lit = map.junctions().iter().filter(|j| j.draft.control == Control::Signals).count();
         println!(" car lanes {car:.0} m, signalled {lit} ({} with signal), guessed {} dropped {}", map.signals().len(), report.guessed.len(), report.dropped.len());
+        let stem = std::path::Path::new(&path).file_stem().unwrap_or_default().to_string_lossy().into_owned();
+        if let Some(out) = std::env::var_os("OUT") {
+            let out = std::path::PathBuf::from(out);
+            std::fs::create_dir_all(&out)?;
+            for (end, text) in vc_map::format::sumo::write(&map, &stem).all() {
+                std::fs::write(out.join(format!("{stem}.{end}")), text)?;
+            }
+            std::fs::write(out.join(format!("{stem}.xodr")), vc_map::format::opendrive::write(&map))?;
+            let text = vc_map::format::native::write(&map);
+            assert!(vc_map::format::native::read(&text)? == map);
+            std::fs::write(out.join(format!("{stem}.map.json")), text)?;
+        }
         let parts = map.walk_parts();
         let all: f64 = parts.iter().map(|part| part.1).sum();
         println!(" walkable: {} parts, main {:.0} of {all:.0} m", parts.len(), parts[0].1);

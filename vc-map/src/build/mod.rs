@@ -6,6 +6,7 @@ mod check;
 mod conflicts;
 mod lanes;
 mod movements;
+mod rounded;
 mod signals;
 mod walk;
 mod yields;
@@ -20,12 +21,13 @@ use crate::{MapDraft, MapError, StreetMap};
 pub(crate) const MOST_ARMS: usize = 32;
 
 impl MapDraft {
-    /// The map of this description. Costs a few microseconds for each road.
+    /// The map of this description, whose numbers are kept to a tenth of a millimetre. Costs a few microseconds for each road.
     ///
     /// # Errors
     /// [`MapError`]: numbers that are not finite, roads without strips, ids that there are not.
-    pub fn build(self) -> Result<StreetMap, MapError> {
+    pub fn build(mut self) -> Result<StreetMap, MapError> {
         check::check(&self)?;
+        rounded::rounded(&mut self);
         let lines = lanes::centre_lines(&self)?;
         let mut junctions = arms::junctions(&self, &lines)?;
         let cuts = arms::cuts(&self, &lines, &junctions);

@@ -10,11 +10,11 @@ use crate::{CrossingKind, RoadClass};
 /// Junctions nearer than this are one, metres; SUMO joins those within 10 m.
 const NEAR: f64 = 12.0;
 /// Junctions of dual carriageways with lights are one up to this distance, metres.
-const DUAL: f64 = 28.0;
+const DUAL: f64 = 24.0;
 /// A crossing belongs to the junction that is nearer than this, metres.
 const CROSSING: f64 = 20.0;
 /// No cluster is wider, metres.
-const WIDEST: f64 = 70.0;
+const WIDEST: f64 = 48.0;
 
 /// The cluster of each node at which pieces meet.
 pub(super) struct Clusters {

@@ -68,7 +68,20 @@ impl Emitter<'_> {
         if within && piece.length < 100.0 {
             return report.drop(Element::Way(piece.way), Reason::WithinJunction);
         }
+        // A way that comes back to its junction is two roads, which meet in its middle.
+        if self.clusters.of(first) == self.clusters.of(last) && piece.nodes.len() > 2 {
+            let (before, after) = piece.nodes.split_at(piece.nodes.len() / 2);
+            let middle = after[0];
+            let before = before.iter().copied().chain([middle]).collect();
+            for nodes in [before, after.to_vec()] {
+                self.road(&Piece { nodes, ..piece.clone() }, lit, report);
+            }
+            return;
+        }
         let ends = [self.junction(first, lit), self.junction(last, lit)];
+        if ends[0] == ends[1] {
+            return report.drop(Element::Way(piece.way), Reason::WithinJunction);
+        }
         if ends.iter().any(|end| self.arms(*end) >= crate::build::MOST_ARMS - 2) {
             return report.drop(Element::Way(piece.way), Reason::TooManyMeet);
         }
