@@ -184,6 +184,24 @@ pub struct Building {
     pub source: i64,
 }
 
+impl Building {
+    /// A building of an outline in metres and a number of storeys, each 3.1 m high.
+    pub fn new(outline: Vec<[f64; 2]>, storeys: u32) -> Self {
+        Self {
+            outline,
+            courts: Vec::new(),
+            height: f64::from(storeys.max(1)) * 3.1,
+            base: 0.0,
+            storeys,
+            kind: "yes".to_owned(),
+            name: None,
+            address: None,
+            part: false,
+            source: 0,
+        }
+    }
+}
+
 /// A door of a building.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]

@@ -11,7 +11,9 @@ mod index;
 mod map;
 pub mod osm;
 mod parts;
+pub mod picture;
 mod polyline;
+pub mod route;
 mod section;
 pub mod validate;
 

@@ -44,6 +44,7 @@ pub(crate) struct Inner {
     pub(crate) crossings: Vec<RoadCrossing>,
     pub(crate) walk_nodes: Vec<WalkNode>,
     pub(crate) walk_edges: Vec<WalkEdge>,
+    pub(crate) walk_at: Vec<Vec<WalkEdgeId>>,
     pub(crate) entrances: Vec<Entrance>,
     pub(crate) bays: Vec<Bay>,
     pub(crate) stops: Vec<Stop>,
@@ -151,6 +152,11 @@ impl StreetMap {
     ) -> Option<(WalkEdgeId, f64)> {
         let edge = |id: u32| self.inner.walk_edges.get(id as usize).filter(|edge| of(edge)).map(|edge| &edge.line);
         self.inner.walk_index.nearest(point, within, edge).map(|(id, station, _)| (WalkEdgeId(id), station))
+    }
+
+    /// The edges of the walkable network at a node.
+    pub fn walk_edges_at(&self, node: WalkNodeId) -> &[WalkEdgeId] {
+        self.inner.walk_at.get(node.index()).map_or(&[], Vec::as_slice)
     }
 
     /// The length of all lanes for which something holds, metres.

@@ -15,7 +15,7 @@ use std::sync::Arc;
 
 use crate::index::PointIndex;
 use crate::map::Inner;
-use crate::{MapDraft, MapError, StreetMap};
+use crate::{MapDraft, MapError, StreetMap, WalkEdgeId};
 
 /// The most roads that can meet at a junction.
 pub(crate) const MOST_ARMS: usize = 32;
@@ -41,6 +41,10 @@ impl MapDraft {
         let bays = bays::bays(&lanes);
         let lane_index = PointIndex::new(lanes.iter().enumerate().map(|(id, lane)| (id as u32, &lane.line)));
         let walk_index = PointIndex::new(walk.edges.iter().enumerate().map(|(id, edge)| (id as u32, &edge.line)));
+        let mut walk_at = vec![Vec::new(); walk.nodes.len()];
+        for (id, edge) in walk.edges.iter().enumerate() {
+            edge.ends.iter().for_each(|node| walk_at[node.index()].push(WalkEdgeId::of(id)));
+        }
         let inner = Inner {
             draft: self,
             junctions,
@@ -51,6 +55,7 @@ impl MapDraft {
             crossings: walk.crossings,
             walk_nodes: walk.nodes,
             walk_edges: walk.edges,
+            walk_at,
             entrances: Vec::new(),
             bays,
             stops: Vec::new(),
