@@ -187,9 +187,9 @@ impl Walk<'_> {
         let width: f64 = roads().map(|road| road.section.carriageway(true) + road.section.carriageway(false)).sum();
         let fast = roads().flat_map(|road| road.section.strips()).any(|(_, strip)| strip.limit > SLOW);
         let easy = width < NARROW && (only_rail || !fast) && !banned;
-        let enough = streets <= 2 && guessed > 0;
+        let enough = streets <= 2 && guessed > 0 && !only_rail;
         // Where two streets only meet end to end, people do not cross for that.
-        let asked = streets != 2 || paths;
+        let asked = streets != 2 || paths || only_rail;
         (easy && !enough && asked).then_some((CrossingKind::Unmarked, false, false))
     }
 

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use super::network::Network;
 use super::{Element, ImportReport, OsmData, Reason};
-use crate::{JunctionId, MapDraft, RoadId, TurnBan, Users};
+use crate::{JunctionId, MapDraft, Point, RoadDraft, RoadId, TurnBan, Users};
 
 /// Turns relations of restrictions into bans; those with exceptions for cars or with times are passed over.
 pub(super) fn bans(data: &OsmData, network: &Network<'_>, draft: &mut MapDraft, report: &mut ImportReport) {
@@ -88,7 +88,25 @@ fn add(draft: &MapDraft, ends: &[RoadId], at: JunctionId, (from, to): (i64, i64)
                 bans.extend(others.map(|other| TurnBan { from: *one, at, to: *other }));
             }
         } else if kind.starts_with("no_") {
-            bans.extend(ends.iter().filter(fits).map(|other| TurnBan { from: *one, at, to: *other }));
+            let named = |other: &&RoadId| bends_as(kind, road(one), road(other), at);
+            bans.extend(ends.iter().filter(fits).filter(named).map(|other| TurnBan { from: *one, at, to: *other }));
         }
+    }
+}
+
+/// Whether a turn bends to the side that a restriction names, so that ways which go on over the junction lose that turn only.
+fn bends_as(kind: &str, from: &RoadDraft, to: &RoadDraft, at: JunctionId) -> bool {
+    let away = |road: &RoadDraft| {
+        let count = road.line.len();
+        let (near, far) = if road.from == at { (0, 1) } else { (count - 1, count - 2) };
+        Point::from(road.line[far]) - Point::from(road.line[near])
+    };
+    let (come, go) = (-away(from).normalize(), away(to).normalize());
+    let side = come.perp(&go);
+    match kind {
+        "no_left_turn" => side > -0.2,
+        "no_right_turn" => side < 0.2,
+        "no_straight_on" => come.dot(&go) > 0.0,
+        _ => true,
     }
 }

@@ -6,7 +6,10 @@ use super::legend::{
 };
 use super::{Colour, Drawing, Paint, Shape, marks};
 use crate::parts::{Lane, Road};
-use crate::{AreaKind, Point, RoadClass, RoadId, StreetMap, StripKind, Structure, Users};
+use crate::{AreaKind, Point, RoadClass, RoadId, StreetMap, StripKind, Structure, Users, WalkKind};
+
+/// The width at which the corners of pavements are drawn, metres.
+const CORNER: f64 = 2.0;
 
 pub(super) fn draw(map: &StreetMap, drawing: &mut Drawing) {
     areas(map, drawing);
@@ -15,6 +18,9 @@ pub(super) fn draw(map: &StreetMap, drawing: &mut Drawing) {
     let below = roads.iter().filter(|index| map.roads()[**index].draft.layer < 0);
     below.for_each(|index| road(map, drawing, RoadId::of(*index)));
     buildings(map, drawing);
+    for edge in map.walk_edges().iter().filter(|edge| matches!(edge.kind, WalkKind::Corner(_))) {
+        drawing.line(PAVEMENT, CORNER, edge.line.points());
+    }
     let mut layer = None;
     let above: Vec<usize> = roads.iter().copied().filter(|index| map.roads()[*index].draft.layer >= 0).collect();
     for (position, index) in above.iter().enumerate() {
@@ -69,10 +75,16 @@ fn buildings(map: &StreetMap, drawing: &mut Drawing) {
 /// A road strip by strip.
 fn road(map: &StreetMap, drawing: &mut Drawing, id: RoadId) {
     let Some(road) = map.road(id) else { return };
+    // Undergrounds would hide the streets above.
+    if road.draft.class.is_rail() && road.draft.structure == Structure::Tunnel {
+        return;
+    }
     let section = &road.draft.section;
     let width = section.carriageway(true) + section.carriageway(false) + section.median;
     if road.draft.structure == Structure::Bridge {
-        drawing.line(BRIDGE, section.width() + 1.2, road.line.points());
+        // The middle of everything, pavements included, lies aside from that of the carriageway.
+        let aside = (section.side_width(true) - section.side_width(false)) / 2.0 - section.shift();
+        drawing.line(BRIDGE, section.width() + 1.2, road.line.offset(-map.side().sign() * aside).points());
     }
     if road.draft.class.is_street() {
         let colour = if road.draft.structure == Structure::Tunnel { TUNNEL } else { ROAD };

@@ -47,7 +47,9 @@ pub(super) fn connections(map: &StreetMap) -> String {
             }
         }
     }
-    for crossing in map.crossings() {
+    let on_street = |road: &RoadId| map.road(*road).is_some_and(|road| road.draft.class.is_street());
+    // SUMO has no crossings over rails alone: people walk over these in its walking areas.
+    for crossing in map.crossings().iter().filter(|crossing| crossing.roads.iter().any(on_street)) {
         let edges = crossed(map, crossing);
         if !edges.is_empty() {
             let node = NodeName(crossing.junction);
