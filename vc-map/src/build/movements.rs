@@ -54,10 +54,17 @@ impl Crossroads<'_> {
         let mut joined: BTreeSet<(LaneId, LaneId)> = BTreeSet::new();
         for from in 0..self.junction.arms.len() {
             let targets = self.targets(from);
-            for users in [Users::CAR, Users::BUS, Users::BICYCLE, Users::TRAM, Users::TRAIN] {
+            // A way that was found for cars is one for all who may use both lanes; others are for those they were found for.
+            for (users, open) in [
+                (Users::CAR, Users::TRAFFIC | Users::RAILS),
+                (Users::BUS, Users::BUS | Users::BICYCLE),
+                (Users::BICYCLE, Users::BICYCLE),
+                (Users::TRAM, Users::TRAM),
+                (Users::TRAIN, Users::TRAIN),
+            ] {
                 for (one, other, turn) in self.pairs(from, &targets, users) {
                     if joined.insert((one, other)) {
-                        found.extend(self.movement(one, other, turn));
+                        found.extend(self.movement(one, other, turn, open));
                     }
                 }
             }
@@ -65,7 +72,7 @@ impl Crossroads<'_> {
         found
     }
 
-    fn movement(&self, from: LaneId, to: LaneId, direction: Turn) -> Option<Movement> {
+    fn movement(&self, from: LaneId, to: LaneId, direction: Turn, open: Users) -> Option<Movement> {
         let (one, other) = (&self.lanes[from.index()], &self.lanes[to.index()]);
         let (end, start) = (one.line.length(), 0.0);
         let line = turn(one.line.end(), one.line.direction(end), other.line.start(), other.line.direction(start));
@@ -74,7 +81,7 @@ impl Crossroads<'_> {
             let at = one.line.end();
             crate::Polyline::new([at, at + one.line.direction(end) * 0.01])
         })?;
-        let users = one.users.and(other.users).without(Users::FOOT);
+        let users = one.users.and(other.users).and(open);
         Some(Movement { junction: self.id, from, to, turn: direction, line, users, yields: Vec::new() })
     }
 

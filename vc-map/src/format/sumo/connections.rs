@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::fmt::Display;
 
-use super::edges::{name, number, side};
+use super::edges::{classes, name, number, side};
 use super::{Metres, NodeName};
 use crate::format::xml::Xml;
 use crate::parts::{Movement, RoadCrossing};
@@ -34,7 +34,13 @@ pub(super) fn connections(map: &StreetMap) -> String {
         let Some([from, to, lane, onto]) = ends(map, movement) else { continue };
         let lane_of = map.lane(movement.from);
         left.extend(lane_of.map(|lane| (lane.road, lane.forward)));
-        let attributes: [(&str, &dyn Display); 4] = [("from", &from), ("to", &to), ("fromLane", &lane), ("toLane", &onto)];
+        let mut attributes: Vec<(&str, &dyn Display)> = vec![("from", &from), ("to", &to), ("fromLane", &lane), ("toLane", &onto)];
+        let both = [movement.from, movement.to].into_iter().filter_map(|id| map.lane(id)).map(|lane| lane.users);
+        let both = both.reduce(Users::and).unwrap_or_default().without(Users::FOOT);
+        let allow = classes(movement.users);
+        if movement.users != both {
+            attributes.push(("allow", &allow));
+        }
         xml.tag("connection", &attributes);
     }
     // An edge of which nothing is said would get connections by rule.

@@ -20,6 +20,11 @@ const CLASSES: [(Users, &str); 6] = [
     (Users::TRAIN, "rail rail_urban rail_electric rail_fast subway"),
 ];
 
+/// The vehicle classes of some users.
+pub(super) fn classes(users: Users) -> String {
+    CLASSES.iter().filter(|(flag, _)| users.has(*flag)).map(|(_, words)| *words).collect::<Vec<_>>().join(" ")
+}
+
 /// The name of an edge.
 pub(super) fn name(road: RoadId, forward: bool) -> String {
     format!("{}r{}", if forward { "" } else { "-" }, road.0)
@@ -82,8 +87,7 @@ fn edge(map: &StreetMap, xml: &mut Xml, id: RoadId, forward: bool, lanes: &[(Lan
     }
     xml.open("edge", &attributes);
     for (index, (_, lane)) in lanes.iter().enumerate() {
-        let classes = CLASSES.iter().filter(|(users, _)| lane.users.has(*users)).map(|(_, words)| *words);
-        let allow = classes.collect::<Vec<_>>().join(" ");
+        let allow = classes(lane.users);
         xml.tag("lane", &[("index", &index), ("allow", &allow), ("width", &Metres(lane.width)), ("speed", &Metres(lane.limit.max(0.1)))]);
     }
     xml.close();
