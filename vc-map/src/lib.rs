@@ -1,4 +1,4 @@
-//! Streets as data.
+#![doc = include_str!("../FRONT.md")]
 #![warn(clippy::disallowed_methods)]
 
 mod build;
@@ -18,8 +18,8 @@ mod section;
 pub mod validate;
 
 pub use draft::{
-    Area, AreaKind, Building, Control, CrossingDraft, CrossingKind, DrivingSide, EntranceDraft, JunctionDraft, MapDraft,
-    Origin, RoadDraft, StopDraft, StopKind, Structure, TurnBan,
+    Area, AreaKind, Building, Control, CrossingDraft, CrossingKind, DrivingSide, EntranceDraft, JunctionDraft,
+    MapDraft, Origin, RoadDraft, StopDraft, StopKind, Structure, TurnBan,
 };
 pub use error::MapError;
 pub use id::{

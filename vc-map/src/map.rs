@@ -135,7 +135,8 @@ impl StreetMap {
 
     /// The lane for some users that is nearest to a point, within a distance in metres, with the station there.
     pub fn lane_near(&self, point: &Point, users: Users, within: f64) -> Option<(LaneId, f64)> {
-        let lane = |id: u32| self.inner.lanes.get(id as usize).filter(|lane| lane.users.any(users)).map(|lane| &lane.line);
+        let lane =
+            |id: u32| self.inner.lanes.get(id as usize).filter(|lane| lane.users.any(users)).map(|lane| &lane.line);
         self.inner.lane_index.nearest(point, within, lane).map(|(id, station, _)| (LaneId(id), station))
     }
 

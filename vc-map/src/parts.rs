@@ -3,8 +3,8 @@
 use nalgebra::Vector2;
 
 use crate::{
-    BuildingId, CrossingId, CrossingKind, JunctionDraft, JunctionId, LaneId, MovementId, Point, Polyline,
-    RoadDraft, RoadId, SignalId, StripKind, Turns, Users, WalkEdgeId, WalkNodeId,
+    BuildingId, CrossingId, CrossingKind, JunctionDraft, JunctionId, LaneId, MovementId, Point, Polyline, RoadDraft,
+    RoadId, SignalId, StripKind, Turns, Users, WalkEdgeId, WalkNodeId,
 };
 
 /// A road of a map.
@@ -178,12 +178,15 @@ impl ConflictTable {
 
     /// Whether one is in the way of none of those whose bits are set.
     pub fn free(&self, one: usize, busy: &[u64]) -> bool {
-        one < self.size && self.bits[one * self.words..][..self.words].iter().zip(busy).all(|(row, busy)| row & busy == 0)
+        one < self.size
+            && self.bits[one * self.words..][..self.words].iter().zip(busy).all(|(row, busy)| row & busy == 0)
     }
 
     /// All pairs, the smaller number first.
     pub fn pairs(&self) -> impl Iterator<Item = (usize, usize)> {
-        (0..self.size).flat_map(move |one| (one + 1..self.size).filter(move |other| self.has(one, *other)).map(move |other| (one, other)))
+        (0..self.size).flat_map(move |one| {
+            (one + 1..self.size).filter(move |other| self.has(one, *other)).map(move |other| (one, other))
+        })
     }
 }
 

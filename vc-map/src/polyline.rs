@@ -216,7 +216,9 @@ pub(crate) fn turn(from: Point, leaving: Vector2<f64>, to: Point, arriving: Vect
         let corner = from + leaving * reach;
         return Polyline::new((0..=8).map(|i| {
             let t = f64::from(i) / 8.0;
-            Point::from(from.coords * ((1.0 - t) * (1.0 - t)) + corner.coords * (2.0 * t * (1.0 - t)) + to.coords * (t * t))
+            Point::from(
+                from.coords * ((1.0 - t) * (1.0 - t)) + corner.coords * (2.0 * t * (1.0 - t)) + to.coords * (t * t),
+            )
         }));
     }
     // An S, or a turn back: a cubic with both tangents.
@@ -225,7 +227,10 @@ pub(crate) fn turn(from: Point, leaving: Vector2<f64>, to: Point, arriving: Vect
     Polyline::new((0..=8).map(|i| {
         let t = f64::from(i) / 8.0;
         let s = 1.0 - t;
-        let sum = from.coords * (s * s * s) + one.coords * (3.0 * s * s * t) + two.coords * (3.0 * s * t * t) + to.coords * (t * t * t);
+        let sum = from.coords * (s * s * s)
+            + one.coords * (3.0 * s * s * t)
+            + two.coords * (3.0 * s * t * t)
+            + to.coords * (t * t * t);
         Point::from(sum)
     }))
 }

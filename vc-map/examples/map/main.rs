@@ -7,7 +7,11 @@
 //!
 //! FILE is OpenStreetMap's XML or VirtualCity's own map JSON, each plain or packed by gzip. Without one the hand-drawn map
 //! beside this program is read.
-#![allow(clippy::print_stdout, clippy::disallowed_methods, reason = "a program says what it does, and how long it takes")]
+#![allow(
+    clippy::print_stdout,
+    clippy::disallowed_methods,
+    reason = "a program says what it does, and how long it takes"
+)]
 
 mod raster;
 
@@ -71,7 +75,9 @@ fn text(file: Option<&Path>) -> Result<(String, Vec<u8>), Box<dyn Error>> {
     if packed.starts_with(&[0x1f, 0x8b]) {
         let mut plain = Vec::new();
         // A file that unpacks to more than a reader takes is not unpacked further.
-        flate2::read::MultiGzDecoder::new(packed.as_slice()).take(vc_map::osm::LARGEST as u64 + 1).read_to_end(&mut plain)?;
+        flate2::read::MultiGzDecoder::new(packed.as_slice())
+            .take(vc_map::osm::LARGEST as u64 + 1)
+            .read_to_end(&mut plain)?;
         return Ok((name, plain));
     }
     Ok((name, packed))
@@ -121,7 +127,8 @@ fn print(map: &StreetMap, account: &str) {
 
 /// Times routes between places all over the map.
 fn routes(map: &StreetMap) {
-    let ends: Vec<_> = map.junctions().iter().filter(|junction| junction.draft.control != Control::Edge).map(|j| j.at).collect();
+    let ends: Vec<_> =
+        map.junctions().iter().filter(|junction| junction.draft.control != Control::Edge).map(|j| j.at).collect();
     for mode in [Mode::Car, Mode::Bicycle, Mode::Foot] {
         let begun = Instant::now();
         let router = Router::new(map, mode);
@@ -141,7 +148,13 @@ fn routes(map: &StreetMap) {
     }
 }
 
-fn write(map: &StreetMap, account: &str, folder: &Path, name: &str, arguments: &Arguments) -> Result<(), Box<dyn Error>> {
+fn write(
+    map: &StreetMap,
+    account: &str,
+    folder: &Path,
+    name: &str,
+    arguments: &Arguments,
+) -> Result<(), Box<dyn Error>> {
     let drawing = match arguments.part.as_slice() {
         [west, south, east, north] => Drawing::within(map, [[*west, *south].into(), [*east, *north].into()]),
         _ => Drawing::of(map),
@@ -154,10 +167,14 @@ fn write(map: &StreetMap, account: &str, folder: &Path, name: &str, arguments: &
     put("geojson", &geojson::write(map))?;
     put("map.json", &native::write(map))?;
     put("places.json", &skeleton::write(map)?)?;
-    let violations: Vec<String> = map.validate().iter().map(|violation| {
-        let place = violation.place(map).map_or(String::new(), |at| format!(" at {:.1}, {:.1}", at.x, at.y));
-        format!("wrong    {violation}{place}\n")
-    }).collect();
+    let violations: Vec<String> = map
+        .validate()
+        .iter()
+        .map(|violation| {
+            let place = violation.place(map).map_or(String::new(), |at| format!(" at {:.1}, {:.1}", at.x, at.y));
+            format!("wrong    {violation}{place}\n")
+        })
+        .collect();
     put("report.txt", &format!("{account}{}", violations.concat()))?;
     Ok(())
 }

@@ -3,7 +3,9 @@
 use std::error::Error;
 
 use font8x8::UnicodeFonts;
-use tiny_skia::{FillRule, LineCap, LineJoin, Paint as Brush, Path, PathBuilder, Pixmap, Rect, Stroke, StrokeDash, Transform};
+use tiny_skia::{
+    FillRule, LineCap, LineJoin, Paint as Brush, Path, PathBuilder, Pixmap, Rect, Stroke, StrokeDash, Transform,
+};
 use vc_map::Point;
 use vc_map::picture::{Colour, Drawing, GROUND, Paint, Text};
 
@@ -20,7 +22,9 @@ pub(crate) fn png(drawing: &Drawing, scale: f64) -> Result<Vec<u8>, Box<dyn Erro
         let closed = matches!(shape.paint, Paint::Fill(_));
         let Some(path) = path(drawing, &shape.paths, scale, closed) else { continue };
         match &shape.paint {
-            Paint::Fill(colour) => canvas.fill_path(&path, &brush(*colour), FillRule::EvenOdd, Transform::identity(), None),
+            Paint::Fill(colour) => {
+                canvas.fill_path(&path, &brush(*colour), FillRule::EvenOdd, Transform::identity(), None)
+            }
             Paint::Line { colour, width, dash, round } => {
                 let stroke = Stroke {
                     width: (width * scale) as f32,
@@ -68,7 +72,9 @@ fn letters(canvas: &mut Pixmap, text: &str, [x, y]: [f64; 2], degrees: f64, size
     let turn = Transform::from_rotate(degrees as f32).post_translate(x as f32, y as f32);
     for (index, character) in text.chars().enumerate() {
         let latin = font8x8::LATIN_FONTS.get(character);
-        let Some(rows) = font8x8::BASIC_FONTS.get(character).or(latin).or(font8x8::BASIC_FONTS.get('?')) else { continue };
+        let Some(rows) = font8x8::BASIC_FONTS.get(character).or(latin).or(font8x8::BASIC_FONTS.get('?')) else {
+            continue;
+        };
         for (row, bits) in rows.iter().enumerate() {
             for column in (0..8).filter(|column| bits >> column & 1 == 1) {
                 let at = [left + (index as f64) * size + f64::from(column) * unit, (row as f64 - 7.0) * unit];

@@ -20,16 +20,20 @@ const CROSSED: f64 = 2.5;
 const LARGEST_PART: f64 = 0.4;
 
 pub(super) fn junctions(draft: &MapDraft, lines: &[Polyline]) -> Result<Vec<Junction>, MapError> {
-    let mut junctions: Vec<Junction> = draft.junctions.iter().map(|junction| Junction {
-        at: junction.at.into(),
-        draft: junction.clone(),
-        arms: Vec::new(),
-        movements: Vec::new(),
-        conflicts: ConflictTable::default(),
-        crossings: Vec::new(),
-        signal: None,
-        outline: Vec::new(),
-    }).collect();
+    let mut junctions: Vec<Junction> = draft
+        .junctions
+        .iter()
+        .map(|junction| Junction {
+            at: junction.at.into(),
+            draft: junction.clone(),
+            arms: Vec::new(),
+            movements: Vec::new(),
+            conflicts: ConflictTable::default(),
+            crossings: Vec::new(),
+            signal: None,
+            outline: Vec::new(),
+        })
+        .collect();
     for (index, (road, line)) in draft.roads.iter().zip(lines).enumerate() {
         for (start, id) in [(true, road.from), (false, road.to)] {
             let junction = &mut junctions[id.index()];
@@ -64,7 +68,8 @@ fn reach(draft: &MapDraft, arm: &Arm) -> [f64; 2] {
     let forward = section.carriageway(true) - section.shift() + section.median / 2.0;
     let backward = section.carriageway(false) + section.shift() + section.median / 2.0;
     // Traffic that drives on the right goes along the line on its right.
-    let (left, right) = if (draft.side == DrivingSide::Right) == arm.start { (backward, forward) } else { (forward, backward) };
+    let (left, right) =
+        if (draft.side == DrivingSide::Right) == arm.start { (backward, forward) } else { (forward, backward) };
     [left, right]
 }
 
@@ -130,6 +135,8 @@ fn edges(road: &Road, start: bool) -> [Point; 2] {
     let at = road.line.at(station);
     let along = road.line.direction(station) * if start { 1.0 } else { -1.0 };
     let normal = Vector2::new(-along.y, along.x);
-    let half = (road.draft.section.carriageway(true) + road.draft.section.carriageway(false) + road.draft.section.median) / 2.0;
+    let half =
+        (road.draft.section.carriageway(true) + road.draft.section.carriageway(false) + road.draft.section.median)
+            / 2.0;
     [at + normal * half, at - normal * half]
 }

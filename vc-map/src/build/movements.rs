@@ -14,8 +14,14 @@ const BACK: f64 = -0.94;
 const SWITCH: f64 = 0.5;
 
 /// Fills in the movements of all junctions, and those of each lane.
-pub(super) fn movements(draft: &MapDraft, junctions: &mut [Junction], roads: &[Road], lanes: &mut [Lane]) -> Vec<Movement> {
-    let bans: BTreeSet<(RoadId, JunctionId, RoadId)> = draft.bans.iter().map(|ban| (ban.from, ban.at, ban.to)).collect();
+pub(super) fn movements(
+    draft: &MapDraft,
+    junctions: &mut [Junction],
+    roads: &[Road],
+    lanes: &mut [Lane],
+) -> Vec<Movement> {
+    let bans: BTreeSet<(RoadId, JunctionId, RoadId)> =
+        draft.bans.iter().map(|ban| (ban.from, ban.at, ban.to)).collect();
     let mut all = Vec::new();
     for (index, junction) in junctions.iter_mut().enumerate() {
         let at = Crossroads { id: JunctionId::of(index), junction, roads, lanes, bans: &bans, side: draft.side };
@@ -89,32 +95,44 @@ impl Crossroads<'_> {
     fn ways(&self, arm: &Arm, incoming: bool, users: Users) -> Vec<LaneId> {
         let comes = |lane: &Lane| (lane.forward != arm.start) == incoming;
         let road = &self.roads[arm.road.index()];
-        road.lanes.iter().copied().filter(|id| {
-            let lane = &self.lanes[id.index()];
-            comes(lane) && lane.users.any(users)
-        }).collect()
+        road.lanes
+            .iter()
+            .copied()
+            .filter(|id| {
+                let lane = &self.lanes[id.index()];
+                comes(lane) && lane.users.any(users)
+            })
+            .collect()
     }
 
     /// The arms by which one can go on, from the left to the right.
     fn targets(&self, from: usize) -> Vec<Target> {
         let arms = &self.junction.arms;
         let came = -arms[from].away;
-        let mut targets: Vec<Target> = (0..arms.len()).filter_map(|arm| {
-            let alone = arms.len() == 1 && self.junction.draft.control != crate::Control::Edge;
-            let banned = self.bans.contains(&(arms[from].road, self.id, arms[arm].road));
-            if banned || (arm == from && !alone) {
-                return None;
-            }
-            let (cosine, sine) = (came.dot(&arms[arm].away), came.perp(&arms[arm].away));
-            let leftward = if cosine >= 0.0 { sine } else if sine >= 0.0 { 2.0 - sine } else { -2.0 - sine };
-            let turn = match () {
-                () if arm == from || cosine < BACK => Turn::Back,
-                () if cosine > 0.0 && sine.abs() < STRAIGHT => Turn::Through,
-                () if sine > 0.0 => Turn::Left,
-                () => Turn::Right,
-            };
-            Some(Target { arm, turn, leftward })
-        }).collect();
+        let mut targets: Vec<Target> = (0..arms.len())
+            .filter_map(|arm| {
+                let alone = arms.len() == 1 && self.junction.draft.control != crate::Control::Edge;
+                let banned = self.bans.contains(&(arms[from].road, self.id, arms[arm].road));
+                if banned || (arm == from && !alone) {
+                    return None;
+                }
+                let (cosine, sine) = (came.dot(&arms[arm].away), came.perp(&arms[arm].away));
+                let leftward = if cosine >= 0.0 {
+                    sine
+                } else if sine >= 0.0 {
+                    2.0 - sine
+                } else {
+                    -2.0 - sine
+                };
+                let turn = match () {
+                    () if arm == from || cosine < BACK => Turn::Back,
+                    () if cosine > 0.0 && sine.abs() < STRAIGHT => Turn::Through,
+                    () if sine > 0.0 => Turn::Left,
+                    () => Turn::Right,
+                };
+                Some(Target { arm, turn, leftward })
+            })
+            .collect();
         targets.sort_by(|a, b| b.leftward.total_cmp(&a.leftward).then(a.arm.cmp(&b.arm)));
         self.straighten(from, targets)
     }
@@ -156,7 +174,9 @@ impl Crossroads<'_> {
         let mut pairs = Vec::new();
         for (target, out) in &open {
             let chosen = self.chosen(&incoming, &open, target);
-            pairs.extend(matched(&chosen, out, self.crosses_divider(target.turn)).into_iter().map(|(a, b)| (a, b, target.turn)));
+            pairs.extend(
+                matched(&chosen, out, self.crosses_divider(target.turn)).into_iter().map(|(a, b)| (a, b, target.turn)),
+            );
         }
         // No lane ends at a junction without a way on.
         for lane in &incoming {
@@ -184,7 +204,8 @@ impl Crossroads<'_> {
             Turn::Right => Turns::RIGHT,
             Turn::Back => Turns::BACK,
         };
-        let by_mark = |lanes: &mut dyn Iterator<Item = usize>| lanes.filter(|i| marked[*i].any(flag)).collect::<Vec<_>>();
+        let by_mark =
+            |lanes: &mut dyn Iterator<Item = usize>| lanes.filter(|i| marked[*i].any(flag)).collect::<Vec<_>>();
         let mut picked = by_mark(&mut (0..incoming.len()));
         let unmarked: Vec<usize> = (0..incoming.len()).filter(|i| marked[*i].is_empty()).collect();
         if !unmarked.is_empty() {
@@ -208,7 +229,13 @@ impl Crossroads<'_> {
     }
 
     /// Straight on from every lane, turns from the lane on their side; without a way straight on, each side takes half.
-    fn by_rule(&self, lanes: &[usize], open: &[(&Target, Vec<LaneId>)], target: &Target, has_marked: bool) -> Vec<usize> {
+    fn by_rule(
+        &self,
+        lanes: &[usize],
+        open: &[(&Target, Vec<LaneId>)],
+        target: &Target,
+        has_marked: bool,
+    ) -> Vec<usize> {
         let through = open.iter().any(|(other, _)| other.turn == Turn::Through);
         let towards_divider = self.crosses_divider(target.turn);
         let count = lanes.len();

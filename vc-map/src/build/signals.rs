@@ -58,14 +58,20 @@ impl Plan<'_> {
         let share = (CYCLE - greens.len() as f64 * (yellow + clearance)) / greens.len() as f64;
         let long = |green: &[Light]| share.max(SHORTEST).max(self.walking(green)).round();
         let lone = greens.len() == 1;
-        greens.iter().flat_map(|green| {
-            let mut phases = vec![Phase { seconds: long(green), lights: green.clone() }];
-            if !lone {
-                phases.push(Phase { seconds: yellow, lights: green.iter().enumerate().map(|(row, l)| self.ending(row, *l)).collect() });
-                phases.push(Phase { seconds: clearance, lights: vec![Light::Red; self.size()] });
-            }
-            phases
-        }).collect()
+        greens
+            .iter()
+            .flat_map(|green| {
+                let mut phases = vec![Phase { seconds: long(green), lights: green.clone() }];
+                if !lone {
+                    phases.push(Phase {
+                        seconds: yellow,
+                        lights: green.iter().enumerate().map(|(row, l)| self.ending(row, *l)).collect(),
+                    });
+                    phases.push(Phase { seconds: clearance, lights: vec![Light::Red; self.size()] });
+                }
+                phases
+            })
+            .collect()
     }
 
     fn size(&self) -> usize {
@@ -101,7 +107,7 @@ impl Plan<'_> {
         while let Some(first) = left.first().copied() {
             let with = |arm: &usize| {
                 let product = arms[first].away.dot(&arms[*arm].away);
-                *arm == first || product < OPPOSITE || product > BESIDE
+                *arm == first || !(OPPOSITE..=BESIDE).contains(&product)
             };
             let (group, rest) = left.into_iter().partition(with);
             groups.push(group);
@@ -119,7 +125,8 @@ impl Plan<'_> {
     /// The lights while some arms have green.
     fn green(&self, group: &[usize]) -> Vec<Light> {
         let goes = |movement: &&Movement| self.arm(movement).is_some_and(|arm| group.contains(&arm));
-        let mut lights: Vec<Light> = self.movements.iter().map(|m| if goes(m) { Light::Green } else { Light::Red }).collect();
+        let mut lights: Vec<Light> =
+            self.movements.iter().map(|m| if goes(m) { Light::Green } else { Light::Red }).collect();
         let people: Vec<Light> = self.crossings.iter().map(|crossing| self.walk(crossing, &lights)).collect();
         lights.extend(people);
         let lit: Vec<usize> = (0..lights.len()).filter(|row| lights[*row] != Light::Red).collect();

@@ -89,10 +89,12 @@ impl Walk<'_> {
             let next = ends[(position + 1) % ends.len()];
             let (Item::End(from), Item::End(to)) = (&items[*first], &items[next]) else { continue };
             let between = (first + 1..).map(|i| i % items.len()).take_while(|i| *i != next);
-            let over: Vec<RoadId> = between.filter_map(|i| match items[i] {
-                Item::Carriageway(road) => Some(road),
-                Item::End(_) => None,
-            }).collect();
+            let over: Vec<RoadId> = between
+                .filter_map(|i| match items[i] {
+                    Item::Carriageway(road) => Some(road),
+                    Item::End(_) => None,
+                })
+                .collect();
             let open_end = junction.draft.control == Control::Edge && position + 1 == ends.len();
             if from == to || open_end || !joined.insert((*from.min(to), *from.max(to), over.is_empty())) {
                 continue;
@@ -166,7 +168,8 @@ impl Walk<'_> {
     fn link(&mut self, ends: [WalkNodeId; 2], kind: WalkKind) {
         let [from, to] = ends.map(|id| self.net.nodes[id.index()].at);
         // Ends at one place are joined by an edge of a centimetre.
-        let line = Polyline::new([from, to]).or_else(|| Polyline::new([from, from + nalgebra::Vector2::new(0.01, 0.0)]));
+        let line =
+            Polyline::new([from, to]).or_else(|| Polyline::new([from, from + nalgebra::Vector2::new(0.01, 0.0)]));
         self.net.edges.extend(line.map(|line| WalkEdge { ends, kind, line, steps: false }));
     }
 

@@ -5,7 +5,13 @@ use crate::{DrivingSide, MapDraft};
 
 /// Fills in to whom each movement gives way: who conflicts and comes along a roundabout, from rails or a road of a higher
 /// class, or straight on while one turns; among equals, whoever comes from the right.
-pub(super) fn yields(draft: &MapDraft, junctions: &[Junction], roads: &[Road], lanes: &[Lane], movements: &mut [Movement]) {
+pub(super) fn yields(
+    draft: &MapDraft,
+    junctions: &[Junction],
+    roads: &[Road],
+    lanes: &[Lane],
+    movements: &mut [Movement],
+) {
     for junction in junctions {
         for (position, id) in junction.movements.iter().enumerate() {
             let goes_first = |other: &usize| {

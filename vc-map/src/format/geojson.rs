@@ -60,13 +60,23 @@ fn lanes<'a>(map: &'a StreetMap, frame: &'a Frame) -> impl Iterator<Item = Value
 }
 
 fn junctions<'a>(map: &'a StreetMap, frame: &'a Frame) -> impl Iterator<Item = Value> + 'a {
-    map.junctions().iter().enumerate().filter(|(_, junction)| junction.arms.len() != 2 || junction.signal.is_some()).map(move |(id, junction)| {
-        let properties = json!({
-            "kind": "junction", "id": id, "control": junction.draft.control, "arms": junction.arms.len(),
-            "movements": junction.movements.len(),
-        });
-        feature("Point", json!(place(frame, &junction.at)), properties)
-    })
+    map.junctions()
+        .iter()
+        .enumerate()
+        .filter(|(_, junction)| junction.arms.len() != 2 || junction.signal.is_some())
+        .map(move |(id, junction)| {
+            let properties = json!({
+                "kind": "junction", "id": id, "control": junction.draft.control, "arms": junction.arms.len(), "streets": streets(map, junction),
+                "movements": junction.movements.len(),
+            });
+            feature("Point", json!(place(frame, &junction.at)), properties)
+        })
+}
+
+/// The number of streets that meet.
+fn streets(map: &StreetMap, junction: &crate::Junction) -> usize {
+    let is_street = |arm: &&crate::Arm| map.road(arm.road).is_some_and(|road| road.draft.class.is_street());
+    junction.arms.iter().filter(is_street).count()
 }
 
 fn crossings<'a>(map: &'a StreetMap, frame: &'a Frame) -> impl Iterator<Item = Value> + 'a {
@@ -95,7 +105,8 @@ fn buildings<'a>(map: &'a StreetMap, frame: &'a Frame) -> impl Iterator<Item = V
 
 fn entrances<'a>(map: &'a StreetMap, frame: &'a Frame) -> impl Iterator<Item = Value> + 'a {
     map.entrances().iter().enumerate().map(move |(id, entrance)| {
-        let properties = json!({"kind": "entrance", "id": id, "building": entrance.building, "guessed": entrance.guessed});
+        let properties =
+            json!({"kind": "entrance", "id": id, "building": entrance.building, "guessed": entrance.guessed});
         feature("Point", json!(place(frame, &entrance.door)), properties)
     })
 }

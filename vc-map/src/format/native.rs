@@ -69,7 +69,15 @@ pub fn write(map: &StreetMap) -> String {
     // Numbers and words of plain types: writing them cannot fail.
     let mut text = serde_json::to_string(&written).unwrap_or_default();
     // One junction, road or building on a line.
-    for key in ["{\"at\":", "{\"from\":", "{\"outline\":", "{\"building\":", "{\"kind\":\"bus\"", "],\"buildings\"", "],\"areas\""] {
+    for key in [
+        "{\"at\":",
+        "{\"from\":",
+        "{\"outline\":",
+        "{\"building\":",
+        "{\"kind\":\"bus\"",
+        "],\"buildings\"",
+        "],\"areas\"",
+    ] {
         text = text.replace(&format!(",{key}"), &format!(",\n{key}"));
     }
     text.push('\n');
@@ -106,6 +114,10 @@ fn parse<'a, T: Deserialize<'a>>(text: &'a str) -> Result<T, MapFileError> {
         field: error.path().to_string(),
         why: error.inner().to_string(),
     })?;
-    reader.end().map_err(|error| MapFileError::Shape { line: error.line(), field: "end".to_owned(), why: error.to_string() })?;
+    reader.end().map_err(|error| MapFileError::Shape {
+        line: error.line(),
+        field: "end".to_owned(),
+        why: error.to_string(),
+    })?;
     Ok(value)
 }

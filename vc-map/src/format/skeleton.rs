@@ -38,7 +38,7 @@ pub fn scene(map: &StreetMap) -> Result<SceneGraph, EditError> {
         let (middle, half) = middle(&building.outline);
         let height = (building.height - building.base) as f32;
         let mut draft = Draft::new("building").at(pose(&middle, building.base)).bounds(Bounds {
-            offset: Vector3::new(0.0, 0.0, height / 2.0).into(),
+            offset: Vector3::new(0.0, 0.0, height / 2.0),
             half: Vector3::new(half[0] as f32, half[1] as f32, height / 2.0),
             frame: BoundsFrame::Object,
         });
@@ -90,10 +90,13 @@ fn rooms(map: &StreetMap, scene: &mut SceneBuilder) -> Result<Vec<(Point, NodeId
     for area in map.areas().iter().filter(|area| area.kind == AreaKind::Green) {
         let (at, _) = middle(&area.outline);
         let draft = Draft::new("garden").at(pose(&at, 0.0));
-        rooms.push((at, scene.add(match &area.name {
-            Some(name) => draft.named(name.as_str()),
-            None => draft,
-        })?));
+        rooms.push((
+            at,
+            scene.add(match &area.name {
+                Some(name) => draft.named(name.as_str()),
+                None => draft,
+            })?,
+        ));
     }
     if rooms.is_empty() {
         rooms.push((Point::origin(), scene.add(Draft::new("street"))?));

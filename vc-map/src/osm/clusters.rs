@@ -34,7 +34,8 @@ pub(super) fn clusters(network: &Network<'_>) -> Clusters {
     let nodes: Vec<u32> = network.at.keys().copied().collect();
     let position = |node: u32| nodes.binary_search(&node).unwrap_or(0);
     let mut sets = UnionFind::<usize>::new(nodes.len());
-    let mut boxes: Vec<[f64; 4]> = nodes.iter().map(|node| network.points[*node as usize]).map(|p| [p.x, p.y, p.x, p.y]).collect();
+    let mut boxes: Vec<[f64; 4]> =
+        nodes.iter().map(|node| network.points[*node as usize]).map(|p| [p.x, p.y, p.x, p.y]).collect();
     let mut links: Vec<(f64, u32, u32)> = network
         .all()
         .filter(|(_, piece)| piece.first() != piece.last() && joins(network, piece))
@@ -82,7 +83,8 @@ fn joins(network: &Network<'_>, piece: &Piece) -> bool {
     let crossing = |node: u32| marks(node).crossing.is_some() || marks(node).signals;
     match (real(one), real(other)) {
         (true, true) => {
-            let one_way = network.streets_at(one).chain(network.streets_at(other)).any(|(_, p)| !network.drives(p, false));
+            let one_way =
+                network.streets_at(one).chain(network.streets_at(other)).any(|(_, p)| !network.drives(p, false));
             let dual = one_way && (around_lights(network, one) || around_lights(network, other));
             piece.length < if dual { DUAL } else { NEAR }
         }

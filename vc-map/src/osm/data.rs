@@ -142,7 +142,8 @@ impl OsmData {
         fn list<T>(list: &Vec<T>) -> usize {
             list.capacity() * size_of::<T>()
         }
-        let lists = list(&self.nodes) + list(&self.ways) + list(&self.relations) + list(&self.refs) + list(&self.members);
+        let lists =
+            list(&self.nodes) + list(&self.ways) + list(&self.relations) + list(&self.refs) + list(&self.members);
         let words = self.words.text.capacity() + list(&self.words.ranges) + self.words.numbers.capacity() * 24;
         lists + list(&self.tags) + words
     }

@@ -5,9 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::clusters::Clusters;
 use super::network::{Network, Piece};
 use super::{Element, ImportReport, Reason};
-use crate::{
-    Control, CrossingDraft, CrossingKind, JunctionDraft, JunctionId, MapDraft, Point, RoadClass, RoadDraft, RoadId,
-};
+use crate::{Control, CrossingDraft, JunctionDraft, JunctionId, MapDraft, Point, RoadClass, RoadDraft, RoadId};
 
 /// A crossing lies on the arm whose road leaves the junction over its node, at most this far from the node, metres.
 const ON_ARM: f64 = 6.0;
@@ -127,7 +125,6 @@ impl Emitter<'_> {
             let roads = self.roads.get(&head).into_iter().flatten().filter(street);
             let nearest = roads.map(|road| (away(road), *road)).min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
             let Some((_, road)) = nearest.filter(|(away, _)| *away < ON_ARM) else { continue };
-            let kind = if self.draft.junctions[at.index()].control == Control::Signals { kind } else { kind.max(CrossingKind::Marked).min(kind) };
             let source = self.network.data.nodes[*node as usize].id;
             self.draft.crossings.push(CrossingDraft { at, road, kind, island: marks.island, source });
         }
@@ -142,12 +139,12 @@ impl Emitter<'_> {
     /// Junctions at which a single way leaves the map.
     fn edges(&mut self) {
         for (head, roads) in &self.roads {
-            let streets = roads.iter().filter(|road| self.draft.roads[road.index()].class < RoadClass::Pedestrian).count();
+            let streets =
+                roads.iter().filter(|road| self.draft.roads[road.index()].class < RoadClass::Pedestrian).count();
             let edge = self.clusters.members.get(head).into_iter().flatten().any(|node| self.network.is_edge(*node));
-            if streets <= 1 && roads.len() <= 2 && edge {
-                if let Some(id) = self.ids.get(head) {
-                    self.draft.junctions[id.index()].control = Control::Edge;
-                }
+            let id = self.ids.get(head).filter(|_| streets <= 1 && roads.len() <= 2 && edge);
+            if let Some(id) = id {
+                self.draft.junctions[id.index()].control = Control::Edge;
             }
         }
     }

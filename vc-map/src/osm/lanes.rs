@@ -76,9 +76,11 @@ pub(super) fn section(lane: &LaneTags<'_>, element: Element, report: &mut Import
         report.guess(element, Guessed::Lanes(forward + backward));
     }
     let width = lane.width(forward + backward);
-    let mut section = CrossSection::default();
-    section.forward = driving(lane, true, forward, width, element, report);
-    section.backward = driving(lane, false, backward, width, element, report);
+    let mut section = CrossSection {
+        forward: driving(lane, true, forward, width, element, report),
+        backward: driving(lane, false, backward, width, element, report),
+        median: 0.0,
+    };
     for forward in [true, false] {
         let strips = if forward { &mut section.forward } else { &mut section.backward };
         beside(lane, forward, strips);
@@ -165,7 +167,10 @@ fn side_key<'a>(lane: &LaneTags<'a>, key: &str, forward: bool) -> Option<&'a str
     let right = ((lane.side == DrivingSide::Right) == forward) != lane.reversed;
     let own = format!("{key}:{}", if right { "right" } else { "left" });
     let both = format!("{key}:both");
-    lane.tags.get(&own).or_else(|| lane.tags.get(&both)).or_else(|| lane.tags.get(key).filter(|_| forward || !lane.one_way))
+    lane.tags
+        .get(&own)
+        .or_else(|| lane.tags.get(&both))
+        .or_else(|| lane.tags.get(key).filter(|_| forward || !lane.one_way))
 }
 
 /// Lanes for bicycles and for parking beside those for vehicles.
@@ -186,7 +191,8 @@ fn beside(lane: &LaneTags<'_>, forward: bool, strips: &mut Vec<Strip>) {
     let old = side_key(lane, "parking:lane", forward).and_then(orientation);
     let new = side_key(lane, "parking", forward).filter(|value| !matches!(*value, "no" | "separate"));
     let way = if ((lane.side == DrivingSide::Right) == forward) != lane.reversed { "right" } else { "left" };
-    let stands = lane.tags.get(&format!("parking:{way}:orientation")).or_else(|| lane.tags.get("parking:both:orientation"));
+    let stands =
+        lane.tags.get(&format!("parking:{way}:orientation")).or_else(|| lane.tags.get("parking:both:orientation"));
     let width = old.or_else(|| new.and_then(|value| stands.and_then(orientation).or_else(|| orientation(value))));
     if let Some(width) = width {
         strips.push(Strip::new(StripKind::Parking, width, Users::NONE, 2.0));
@@ -204,7 +210,8 @@ pub(super) fn pavements(lane: &LaneTags<'_>, section: &mut CrossSection) -> bool
         RoadClass::Tertiary => 3.0,
         _ => 2.4,
     };
-    let tagged = ["sidewalk", "sidewalk:both", "sidewalk:left", "sidewalk:right"].iter().any(|key| lane.tags.get(key).is_some());
+    let tagged =
+        ["sidewalk", "sidewalk:both", "sidewalk:left", "sidewalk:right"].iter().any(|key| lane.tags.get(key).is_some());
     let has = |forward: bool| {
         let right = ((lane.side == DrivingSide::Right) == forward) != lane.reversed;
         let own = if right { "right" } else { "left" };
@@ -222,7 +229,9 @@ pub(super) fn pavements(lane: &LaneTags<'_>, section: &mut CrossSection) -> bool
     let separate = lane.tags.is("sidewalk", "separate") || lane.tags.is("sidewalk:both", "separate");
     let walked = section.strips().any(|(_, strip)| strip.kind == StripKind::Pavement);
     if !walked && !separate && lane.users.has(Users::FOOT) && lane.class >= RoadClass::Tertiary {
-        for strip in section.forward.iter_mut().chain(&mut section.backward).filter(|strip| strip.kind == StripKind::Driving) {
+        for strip in
+            section.forward.iter_mut().chain(&mut section.backward).filter(|strip| strip.kind == StripKind::Driving)
+        {
             strip.users = strip.users | Users::FOOT;
         }
     }

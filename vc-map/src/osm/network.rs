@@ -133,14 +133,10 @@ impl<'a> Network<'a> {
 
     /// Takes guessed pavements away where footways lie beside the street.
     fn separate_pavements(&mut self, parts: &[(i64, usize, Vec<u32>)]) {
-        let sidewalk = |way: i64| {
-            self.data.way(way).is_some_and(|way| self.data.way_tags(way).is("footway", "sidewalk"))
-        };
-        let lines: Vec<Polyline> = parts
-            .iter()
-            .filter(|(way, ..)| sidewalk(*way))
-            .filter_map(|(_, _, nodes)| self.line(nodes))
-            .collect();
+        let sidewalk =
+            |way: i64| self.data.way(way).is_some_and(|way| self.data.way_tags(way).is("footway", "sidewalk"));
+        let lines: Vec<Polyline> =
+            parts.iter().filter(|(way, ..)| sidewalk(*way)).filter_map(|(_, _, nodes)| self.line(nodes)).collect();
         let index = PointIndex::new(lines.iter().enumerate().map(|(id, line)| (id as u32, line)));
         for (_, street, nodes) in parts {
             let Some(line) = self.line(nodes).filter(|_| self.streets[*street].guessed_pavements) else { continue };
@@ -177,7 +173,8 @@ impl<'a> Network<'a> {
     fn mark(&mut self, parts: &[(i64, usize, Vec<u32>)]) {
         for (way, street, nodes) in parts {
             let class = self.streets[*street].class;
-            let crossing_way = self.data.way(*way).map(|way| self.data.way_tags(way)).filter(|tags| tags.is("footway", "crossing"));
+            let crossing_way =
+                self.data.way(*way).map(|way| self.data.way_tags(way)).filter(|tags| tags.is("footway", "crossing"));
             for node in nodes {
                 let tags = self.data.node_tags(&self.data.nodes[*node as usize]);
                 if tags.is_empty() && crossing_way.is_none() {
@@ -216,7 +213,8 @@ impl<'a> Network<'a> {
                 passes.get(node).is_some_and(|count| *count > 1) || (class.is_street() && marked)
             };
             let mut start = 0;
-            let breaks: Vec<usize> = (1..nodes.len()).filter(|i| *i + 1 == nodes.len() || special(&nodes[*i])).collect();
+            let breaks: Vec<usize> =
+                (1..nodes.len()).filter(|i| *i + 1 == nodes.len() || special(&nodes[*i])).collect();
             for end in breaks {
                 self.add(way, street, &nodes[start..=end], report);
                 start = end;
@@ -248,7 +246,12 @@ impl<'a> Network<'a> {
 
     /// The pieces at a node that vehicles on tyres use.
     pub(super) fn streets_at(&self, node: u32) -> impl Iterator<Item = (usize, &Piece)> {
-        let pieces = self.at.get(&node).into_iter().flatten().filter_map(|number| Some((*number, self.pieces[*number].as_ref()?)));
+        let pieces = self
+            .at
+            .get(&node)
+            .into_iter()
+            .flatten()
+            .filter_map(|number| Some((*number, self.pieces[*number].as_ref()?)));
         pieces.filter(|(_, piece)| self.street(piece).class.is_street())
     }
 
@@ -257,7 +260,10 @@ impl<'a> Network<'a> {
         let near = |[south, west, north, east]: [f64; 4]| {
             let [latitude, longitude] = self.data.nodes[node as usize].degrees();
             let margin = EDGE / 111_000.0;
-            latitude < south + margin || latitude > north - margin || longitude < west + margin || longitude > east - margin
+            latitude < south + margin
+                || latitude > north - margin
+                || longitude < west + margin
+                || longitude > east - margin
         };
         self.edges.contains_key(&node) || self.data.bounds.is_some_and(near)
     }
@@ -266,7 +272,9 @@ impl<'a> Network<'a> {
     pub(super) fn merge(&mut self) {
         let nodes: Vec<u32> = self.at.keys().copied().collect();
         for node in nodes {
-            let Some([one, other]) = self.at.get(&node).and_then(|pieces| <[usize; 2]>::try_from(pieces.as_slice()).ok()) else {
+            let Some([one, other]) =
+                self.at.get(&node).and_then(|pieces| <[usize; 2]>::try_from(pieces.as_slice()).ok())
+            else {
                 continue;
             };
             if one == other || self.marks.get(&node).is_some_and(|marks| marks.crossing.is_some() || marks.signals) {
@@ -277,10 +285,20 @@ impl<'a> Network<'a> {
                 self.pieces[one] = Some(joined);
                 self.pieces[other] = None;
                 self.at.remove(&node);
-                self.at.get_mut(&far).into_iter().flatten().filter(|piece| **piece == other).for_each(|piece| *piece = one);
+                self.at
+                    .get_mut(&far)
+                    .into_iter()
+                    .flatten()
+                    .filter(|piece| **piece == other)
+                    .for_each(|piece| *piece = one);
                 if let Some(piece) = &self.pieces[one] {
                     let first = piece.first();
-                    self.at.get_mut(&first).into_iter().flatten().filter(|piece| **piece == other).for_each(|piece| *piece = one);
+                    self.at
+                        .get_mut(&first)
+                        .into_iter()
+                        .flatten()
+                        .filter(|piece| **piece == other)
+                        .for_each(|piece| *piece = one);
                 }
             }
         }

@@ -26,7 +26,9 @@ pub(super) fn places(data: &OsmData, points: &[Point], draft: &mut MapDraft, rep
         if shapes.is_empty() {
             report.drop(Element::Relation(relation.id), Reason::CutOff);
         }
-        shapes.into_iter().for_each(|shape| add(draft, Element::Relation(relation.id), tags, shape, &mut doors, report));
+        shapes
+            .into_iter()
+            .for_each(|shape| add(draft, Element::Relation(relation.id), tags, shape, &mut doors, report));
     }
     for way in &data.ways {
         let tags = data.way_tags(way);
@@ -53,10 +55,16 @@ fn what(tags: Tags<'_>) -> Option<What> {
         return Some(What::Building);
     }
     let green = tags.is("leisure", "park|garden|pitch|playground|golf_course|nature_reserve|common")
-        || tags.is("landuse", "grass|forest|meadow|recreation_ground|village_green|cemetery|orchard|farmland|flowerbed")
+        || tags
+            .is("landuse", "grass|forest|meadow|recreation_ground|village_green|cemetery|orchard|farmland|flowerbed")
         || tags.is("natural", "wood|grassland|scrub|heath|shrubbery");
     let kind = match () {
-        () if tags.is("natural", "water") || tags.is("waterway", "riverbank|dock") || tags.is("landuse", "basin|reservoir") => AreaKind::Water,
+        () if tags.is("natural", "water")
+            || tags.is("waterway", "riverbank|dock")
+            || tags.is("landuse", "basin|reservoir") =>
+        {
+            AreaKind::Water
+        }
         () if tags.is("amenity", "fountain") || tags.is("leisure", "swimming_pool") => AreaKind::Water,
         () if green => AreaKind::Green,
         () if tags.is("amenity", "parking") => AreaKind::Parking,
@@ -182,7 +190,8 @@ fn guess_doors(draft: &mut MapDraft, report: &mut ImportReport) {
         let users = road.section.users(true) | road.section.users(false);
         users.has(Users::FOOT) && road.layer == 0
     };
-    let lines: Vec<Polyline> = draft.roads.iter().filter(walked).filter_map(|road| Polyline::new(road.line.iter().copied())).collect();
+    let lines: Vec<Polyline> =
+        draft.roads.iter().filter(walked).filter_map(|road| Polyline::new(road.line.iter().copied())).collect();
     let index = PointIndex::new(lines.iter().enumerate().map(|(id, line)| (id as u32, line)));
     let mut has = vec![false; draft.buildings.len()];
     draft.entrances.iter().for_each(|entrance| has[entrance.building.index()] = true);
@@ -191,7 +200,12 @@ fn guess_doors(draft: &mut MapDraft, report: &mut ImportReport) {
             continue;
         }
         let Some(at) = door(building, &lines, &index) else { continue };
-        draft.entrances.push(EntranceDraft { building: BuildingId::of(number), at, kind: "guessed".to_owned(), source: 0 });
+        draft.entrances.push(EntranceDraft {
+            building: BuildingId::of(number),
+            at,
+            kind: "guessed".to_owned(),
+            source: 0,
+        });
         report.guess(Element::Way(building.source), Guessed::Entrance);
     }
 }
@@ -199,9 +213,9 @@ fn guess_doors(draft: &mut MapDraft, report: &mut ImportReport) {
 fn door(building: &Building, lines: &[Polyline], index: &PointIndex) -> Option<[f64; 2]> {
     let ring = &building.outline;
     let walls = ring.iter().zip(ring.iter().cycle().skip(1));
-    let middles = walls.filter(|(a, b)| (Point::from(**a) - Point::from(**b)).norm() > 1.5).map(|(a, b)| {
-        Point::new((a[0] + b[0]) / 2.0, (a[1] + b[1]) / 2.0)
-    });
+    let middles = walls
+        .filter(|(a, b)| (Point::from(**a) - Point::from(**b)).norm() > 1.5)
+        .map(|(a, b)| Point::new((a[0] + b[0]) / 2.0, (a[1] + b[1]) / 2.0));
     let mut best: Option<(f64, Point)> = None;
     // An outline of thousands of walls is tried at some of them.
     for middle in middles.step_by(1 + ring.len() / 64) {
@@ -231,7 +245,8 @@ impl OsmData {
         let guessed = report.guessed.iter().map(|(element, _)| *element);
         let used: std::collections::BTreeSet<Element> =
             roads.chain(both).chain(points).chain(nodes).chain(listed).chain(guessed).collect();
-        let tagged = |element: Element, tags: Tags<'_>| (!tags.is_empty() && !used.contains(&element)).then_some(element);
+        let tagged =
+            |element: Element, tags: Tags<'_>| (!tags.is_empty() && !used.contains(&element)).then_some(element);
         let nodes = self.nodes.iter().filter_map(|node| tagged(Element::Node(node.id), self.node_tags(node)));
         let ways = self.ways.iter().filter_map(|way| tagged(Element::Way(way.id), self.way_tags(way)));
         let relations = self.relations.iter().filter_map(|r| tagged(Element::Relation(r.id), self.relation_tags(r)));

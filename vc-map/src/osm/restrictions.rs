@@ -18,7 +18,11 @@ pub(super) fn bans(data: &OsmData, network: &Network<'_>, draft: &mut MapDraft, 
         }
         let kind = tags.get("restriction").or_else(|| tags.get("restriction:motorcar")).unwrap_or_default();
         let members = |role: &str| -> Vec<Element> {
-            data.members(relation).iter().filter(|member| data.role(**member) == role).map(|member| member.element).collect()
+            data.members(relation)
+                .iter()
+                .filter(|member| data.role(**member) == role)
+                .map(|member| member.element)
+                .collect()
         };
         let exempt = tags.get("except").is_some_and(|text| text.split(';').any(|word| word.trim() == "motorcar"));
         let found = via(data, network, &members("via")).and_then(|id| junctions.get(&id).copied()).filter(|_| !exempt);
@@ -73,7 +77,14 @@ fn by_end(draft: &MapDraft) -> std::collections::BTreeMap<JunctionId, Vec<RoadId
 }
 
 /// Adds the bans of a restriction: one turn, or every other if only one is allowed.
-fn add(draft: &MapDraft, ends: &[RoadId], at: JunctionId, (from, to): (i64, i64), kind: &str, bans: &mut BTreeSet<TurnBan>) {
+fn add(
+    draft: &MapDraft,
+    ends: &[RoadId],
+    at: JunctionId,
+    (from, to): (i64, i64),
+    kind: &str,
+    bans: &mut BTreeSet<TurnBan>,
+) {
     let road = |id: &RoadId| &draft.roads[id.index()];
     let comes = |id: &&RoadId| {
         let road = road(id);

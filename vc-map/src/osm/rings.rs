@@ -45,10 +45,12 @@ impl OsmData {
         let ways = |inner: bool| -> Vec<Vec<i64>> {
             let fits = |role: &str| (role == "inner") == inner && matches!(role, "inner" | "outer" | "outline" | "");
             let members = self.members(relation).iter().filter(|member| fits(self.role(**member)));
-            members.filter_map(|member| match member.element {
-                Element::Way(id) => self.way(id).map(|way| self.refs(way).to_vec()),
-                _ => None,
-            }).collect()
+            members
+                .filter_map(|member| match member.element {
+                    Element::Way(id) => self.way(id).map(|way| self.refs(way).to_vec()),
+                    _ => None,
+                })
+                .collect()
         };
         let closed = |inner| joined(ways(inner)).into_iter().filter_map(|nodes| self.shape(&nodes, points));
         let mut shapes: Vec<Shape> = closed(false).collect();
@@ -81,7 +83,8 @@ fn joined(lines: Vec<Vec<i64>>) -> Vec<Vec<i64>> {
         let mut ring = lines[first].clone();
         while ring.first() != ring.last() {
             let Some(end) = ring.last().copied() else { break };
-            let next = at.get(&end).into_iter().flatten().copied().find(|index| !used[*index] && lines[*index].len() > 1);
+            let next =
+                at.get(&end).into_iter().flatten().copied().find(|index| !used[*index] && lines[*index].len() > 1);
             let Some(next) = next else { break };
             used[next] = true;
             let line = &lines[next];

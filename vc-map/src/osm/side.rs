@@ -63,11 +63,15 @@ impl OsmData {
     fn side_by_roundabouts(&self) -> Option<DrivingSide> {
         let turn = |way: &super::data::Way| -> Option<f64> {
             let refs = self.refs(way);
-            if !self.way_tags(way).is("junction", "roundabout|circular") || refs.len() < 4 || refs.first() != refs.last() {
+            if !self.way_tags(way).is("junction", "roundabout|circular")
+                || refs.len() < 4
+                || refs.first() != refs.last()
+            {
                 return None;
             }
             let at = |id: &i64| self.node(*id).map(|index| self.nodes[index].degrees());
-            let ring: Option<Vec<Point>> = refs.iter().map(|id| at(id).map(|[lat, lon]| Point::new(lon, lat))).collect();
+            let ring: Option<Vec<Point>> =
+                refs.iter().map(|id| at(id).map(|[lat, lon]| Point::new(lon, lat))).collect();
             ring.map(|ring| area(&ring).signum())
         };
         let sum: f64 = self.ways.iter().filter_map(turn).sum();

@@ -25,7 +25,9 @@ pub(super) struct Street {
 fn class(tags: Tags<'_>) -> Result<(RoadClass, bool), Option<Reason>> {
     let rail = || match tags.get("railway")? {
         "tram" => Some(RoadClass::Tram),
-        "rail" | "light_rail" | "subway" | "narrow_gauge" | "monorail" | "preserved" | "funicular" => Some(RoadClass::Rail),
+        "rail" | "light_rail" | "subway" | "narrow_gauge" | "monorail" | "preserved" | "funicular" => {
+            Some(RoadClass::Rail)
+        }
         _ => None,
     };
     let Some(highway) = tags.get("highway") else {
@@ -47,7 +49,9 @@ fn class(tags: Tags<'_>) -> Result<(RoadClass, bool), Option<Reason>> {
         "cycleway" => RoadClass::Cycleway,
         "footway" | "path" | "bridleway" => RoadClass::Path,
         "steps" => RoadClass::Steps,
-        "construction" | "proposed" | "planned" | "abandoned" | "razed" | "disused" => return Err(Some(Reason::NotThere)),
+        "construction" | "proposed" | "planned" | "abandoned" | "razed" | "disused" => {
+            return Err(Some(Reason::NotThere));
+        }
         "corridor" | "elevator" => return Err(Some(Reason::Indoors)),
         _ => return Err(Some(Reason::NoUse)),
     };
@@ -76,7 +80,11 @@ fn users(tags: Tags<'_>, class: RoadClass) -> Users {
     let rules: [(Users, &[&str], bool); 4] = [
         (Users::CAR, &["motorcar", "motor_vehicle", "vehicle", "access"], street && !busway),
         (Users::BUS, &["bus", "psv", "motor_vehicle", "vehicle", "access"], street),
-        (Users::BICYCLE, &["bicycle", "vehicle", "access"], !matches!(class, Motorway | Pedestrian | Steps | Path) || path),
+        (
+            Users::BICYCLE,
+            &["bicycle", "vehicle", "access"],
+            !matches!(class, Motorway | Pedestrian | Steps | Path) || path,
+        ),
         (Users::FOOT, &["foot", "access"], !matches!(class, Motorway | Trunk | Cycleway)),
     ];
     let may = |(_, keys, usual): &&(Users, &[&str], bool)| may(tags, keys, *usual);
@@ -107,8 +115,20 @@ fn limit(tags: Tags<'_>) -> Option<f64> {
 /// The usual limit of a class in a town, metres per second (B1 of the note on places).
 fn usual_limit(class: RoadClass, slip: bool) -> f64 {
     let kilometres = match class {
-        RoadClass::Motorway => if slip { 60.0 } else { 100.0 },
-        RoadClass::Trunk => if slip { 50.0 } else { 70.0 },
+        RoadClass::Motorway => {
+            if slip {
+                60.0
+            } else {
+                100.0
+            }
+        }
+        RoadClass::Trunk => {
+            if slip {
+                50.0
+            } else {
+                70.0
+            }
+        }
         RoadClass::Primary | RoadClass::Secondary | RoadClass::Tertiary | RoadClass::Minor | RoadClass::Tram => 50.0,
         RoadClass::Residential => 30.0,
         RoadClass::Living => 7.0,
@@ -119,7 +139,12 @@ fn usual_limit(class: RoadClass, slip: bool) -> f64 {
 }
 
 /// A way as a road, or why it is none; `None` without a reason for ways that are no roads at all.
-pub(super) fn street(id: i64, tags: Tags<'_>, side: DrivingSide, report: &mut ImportReport) -> Result<Street, Option<Reason>> {
+pub(super) fn street(
+    id: i64,
+    tags: Tags<'_>,
+    side: DrivingSide,
+    report: &mut ImportReport,
+) -> Result<Street, Option<Reason>> {
     let (class, slip) = class(tags)?;
     if tags.is("area", "yes") && class.is_street() {
         return Err(Some(Reason::NoUse));
@@ -144,7 +169,8 @@ pub(super) fn street(id: i64, tags: Tags<'_>, side: DrivingSide, report: &mut Im
         layer: layer(tags),
         structure: structure(tags),
         roundabout,
-        private: tags.is("access", "private|customers|delivery|permit") || tags.is("motor_vehicle", "private|destination"),
+        private: tags.is("access", "private|customers|delivery|permit")
+            || tags.is("motor_vehicle", "private|destination"),
         reversed: tags.is("oneway", "-1|reverse"),
         guessed_pavements: false,
     };
@@ -182,7 +208,13 @@ fn layer(tags: Tags<'_>) -> i8 {
     given.unwrap_or(match structure(tags) {
         Structure::Ground => 0,
         Structure::Bridge => 1,
-        Structure::Tunnel => if tags.is("tunnel", "building_passage") || tags.is("covered", "yes") { 0 } else { -1 },
+        Structure::Tunnel => {
+            if tags.is("tunnel", "building_passage") || tags.is("covered", "yes") {
+                0
+            } else {
+                -1
+            }
+        }
     })
 }
 

@@ -44,7 +44,8 @@ impl OsmData {
         if file.len() > LARGEST {
             return Err(OsmError::TooLarge(file.len()));
         }
-        let mut reader = XmlReader { file, xml: Reader::from_reader(file), data: Self::default(), current: None, depth: 0 };
+        let mut reader =
+            XmlReader { file, xml: Reader::from_reader(file), data: Self::default(), current: None, depth: 0 };
         reader.root()?;
         reader.all()?;
         let mut data = reader.data;

@@ -46,7 +46,8 @@ fn ring(points: &[[f64; 2]]) -> Vec<Point> {
 }
 
 fn areas(map: &StreetMap, drawing: &mut Drawing) {
-    let order = [AreaKind::Lot, AreaKind::Green, AreaKind::Square, AreaKind::Parking, AreaKind::Platform, AreaKind::Water];
+    let order =
+        [AreaKind::Lot, AreaKind::Green, AreaKind::Square, AreaKind::Parking, AreaKind::Platform, AreaKind::Water];
     for kind in order {
         let colour = match kind {
             AreaKind::Green => GREEN,
@@ -63,7 +64,8 @@ fn areas(map: &StreetMap, drawing: &mut Drawing) {
 
 fn buildings(map: &StreetMap, drawing: &mut Drawing) {
     for building in map.buildings().iter().filter(|building| building.base < 2.5) {
-        let paths: Vec<Vec<Point>> = std::iter::once(&building.outline).chain(&building.courts).map(|points| ring(points)).collect();
+        let paths: Vec<Vec<Point>> =
+            std::iter::once(&building.outline).chain(&building.courts).map(|points| ring(points)).collect();
         for path in &paths {
             let closed: Vec<Point> = path.iter().chain(path.first()).copied().collect();
             drawing.line(WALL, 0.6, &closed);

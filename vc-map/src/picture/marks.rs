@@ -15,7 +15,10 @@ const ZEBRA: [f64; 2] = [0.5, 0.5];
 /// Lines between lanes, divider and stop lines of the roads of a layer.
 pub(super) fn roads(map: &StreetMap, drawing: &mut Drawing, layer: i8) {
     for lane in map.lanes().iter().filter(|lane| lane.kind == StripKind::Driving) {
-        let Some(road) = map.road(lane.road).filter(|road| road.draft.layer == layer && road.draft.class.is_street()) else { continue };
+        let Some(road) = map.road(lane.road).filter(|road| road.draft.layer == layer && road.draft.class.is_street())
+        else {
+            continue;
+        };
         let inside = if lane.forward == (map.side() == crate::DrivingSide::Right) { 1.0 } else { -1.0 };
         let inside = if lane.forward { inside } else { -inside };
         let edge = lane.line.offset(inside * lane.width / 2.0);
@@ -50,7 +53,8 @@ pub(super) fn crossings(map: &StreetMap, drawing: &mut Drawing) {
 /// A red square beside each lane that has lights.
 pub(super) fn signals(map: &StreetMap, drawing: &mut Drawing) {
     for junction in map.junctions().iter().filter(|junction| junction.signal.is_some()) {
-        let mut lanes: Vec<LaneId> = junction.movements.iter().filter_map(|id| map.movement(*id)).map(|m| m.from).collect();
+        let mut lanes: Vec<LaneId> =
+            junction.movements.iter().filter_map(|id| map.movement(*id)).map(|m| m.from).collect();
         lanes.sort_unstable();
         lanes.dedup();
         for lane in lanes.into_iter().filter_map(|id| map.lane(id)).filter(|lane| lane.users.any(Users::TRAFFIC)) {

@@ -101,8 +101,13 @@ impl Drawing {
 
     /// The drawing of a part of a map, between two corners.
     pub fn within(map: &StreetMap, bounds: [Point; 2]) -> Self {
-        let mut drawing =
-            Self { bounds, shapes: Vec::new(), texts: Vec::new(), legend: legend::entries(), title: map.name().to_owned() };
+        let mut drawing = Self {
+            bounds,
+            shapes: Vec::new(),
+            texts: Vec::new(),
+            legend: legend::entries(),
+            title: map.name().to_owned(),
+        };
         layers::draw(map, &mut drawing);
         let [low, high] = bounds;
         let near = |p: &Point| p.x >= low.x && p.y >= low.y && p.x <= high.x && p.y <= high.y;
@@ -116,7 +121,10 @@ impl Drawing {
     }
 
     fn line(&mut self, colour: Colour, width: f64, points: &[Point]) {
-        self.shapes.push(Shape { paths: vec![points.to_vec()], paint: Paint::Line { colour, width, dash: None, round: false } });
+        self.shapes.push(Shape {
+            paths: vec![points.to_vec()],
+            paint: Paint::Line { colour, width, dash: None, round: false },
+        });
     }
 
     fn dashes(&mut self, colour: Colour, width: f64, dash: [f64; 2], points: &[Point]) {

@@ -28,7 +28,11 @@ impl Graph {
         let mut first = vec![0; nodes + 1];
         edges.iter().for_each(|(from, ..)| first[*from as usize + 1] += 1);
         (0..nodes).for_each(|node| first[node + 1] += first[node]);
-        Self { first, edges: edges.into_iter().map(|(_, to, cost)| (to, cost)).collect(), landmarks: Landmarks::default() }
+        Self {
+            first,
+            edges: edges.into_iter().map(|(_, to, cost)| (to, cost)).collect(),
+            landmarks: Landmarks::default(),
+        }
     }
 
     pub(super) fn len(&self) -> usize {

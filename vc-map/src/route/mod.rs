@@ -119,7 +119,8 @@ impl Router {
         }
         // What lies behind on the same side of a road is reached by way of what comes next.
         let behind = starts.iter().map(|(_, cost)| *cost).min().unwrap_or(0);
-        let next: Vec<_> = self.graph.from(start.item as u32).iter().map(|(to, cost)| (*to, cost.saturating_add(behind))).collect();
+        let next: Vec<_> =
+            self.graph.from(start.item as u32).iter().map(|(to, cost)| (*to, cost.saturating_add(behind))).collect();
         let (cost, mut nodes) = search::search(&self.graph, &next, &ends)?;
         nodes.insert(0, start.item as u32);
         Some((cost, nodes))

@@ -104,20 +104,25 @@ fn half_red(map: &StreetMap, junction: crate::JunctionId, row: usize) -> f64 {
 
 fn walking(map: &StreetMap) -> (Ground, Graph) {
     let edges = map.walk_edges();
-    let costs: Vec<Cost> = edges.iter().map(|edge| {
-        let pace = if edge.steps { STEPS } else { 1.0 };
-        let wait = match edge.kind {
-            WalkKind::Crossing(id) => map.crossing(id).map_or(0.0, |crossing| match (crossing.kind, map.junction(crossing.junction)) {
-                (CrossingKind::Signals, Some(junction)) => {
-                    let position = junction.crossings.iter().position(|other| *other == id).unwrap_or(0);
-                    half_red(map, crossing.junction, junction.movements.len() + position)
+    let costs: Vec<Cost> = edges
+        .iter()
+        .map(|edge| {
+            let pace = if edge.steps { STEPS } else { 1.0 };
+            let wait = match edge.kind {
+                WalkKind::Crossing(id) => {
+                    map.crossing(id).map_or(0.0, |crossing| match (crossing.kind, map.junction(crossing.junction)) {
+                        (CrossingKind::Signals, Some(junction)) => {
+                            let position = junction.crossings.iter().position(|other| *other == id).unwrap_or(0);
+                            half_red(map, crossing.junction, junction.movements.len() + position)
+                        }
+                        _ => CROSSING,
+                    })
                 }
-                _ => CROSSING,
-            }),
-            _ => 0.0,
-        };
-        cost(edge.line.length() * pace / WALKING + wait)
-    }).collect();
+                _ => 0.0,
+            };
+            cost(edge.line.length() * pace / WALKING + wait)
+        })
+        .collect();
     let ends: Vec<[u32; 2]> = edges.iter().map(|edge| edge.ends.map(|node| node.0)).collect();
     let both = ends.iter().zip(&costs).flat_map(|([a, b], cost)| [(*a, *b, *cost), (*b, *a, *cost)]).collect();
     let places: Vec<Point> = map.walk_nodes().iter().map(|node| node.at).collect();
@@ -134,7 +139,9 @@ impl Ground {
                 let item = map.lane(lane).and_then(|lane: &Lane| of.get(&(lane.road, lane.forward)).copied())?;
                 Some(Place { item, station: sides[item].line.project(point).station })
             }
-            Self::Edges { .. } => map.pavement_near(point, within).map(|(edge, station)| Place { item: edge.index(), station }),
+            Self::Edges { .. } => {
+                map.pavement_near(point, within).map(|(edge, station)| Place { item: edge.index(), station })
+            }
         }
     }
 
@@ -142,7 +149,9 @@ impl Ground {
     pub(super) fn direct(&self, start: &Place, end: &Place) -> Option<Cost> {
         let ahead = end.station - start.station;
         match self {
-            Self::Sides { sides, .. } if start.item == end.item && ahead >= 0.0 => Some(cost(ahead / sides[start.item].speed)),
+            Self::Sides { sides, .. } if start.item == end.item && ahead >= 0.0 => {
+                Some(cost(ahead / sides[start.item].speed))
+            }
             Self::Edges { .. } if start.item == end.item => Some(self.part(start.item, ahead.abs())),
             _ => None,
         }
@@ -151,7 +160,9 @@ impl Ground {
     /// The cost of a part of an edge.
     fn part(&self, item: usize, metres: f64) -> Cost {
         match self {
-            Self::Edges { lengths, costs, .. } => (f64::from(costs[item]) * (metres / lengths[item].max(1e-6)).min(1.0)) as Cost,
+            Self::Edges { lengths, costs, .. } => {
+                (f64::from(costs[item]) * (metres / lengths[item].max(1e-6)).min(1.0)) as Cost
+            }
             Self::Sides { sides, .. } => cost(metres / sides[item].speed),
         }
     }
@@ -193,7 +204,8 @@ impl Ground {
         let mut seconds = f64::from(cost) / 1000.0;
         match self {
             Self::Sides { sides, .. } => {
-                let items: Vec<usize> = if nodes.is_empty() { vec![start.item] } else { nodes.iter().map(|n| *n as usize).collect() };
+                let items: Vec<usize> =
+                    if nodes.is_empty() { vec![start.item] } else { nodes.iter().map(|n| *n as usize).collect() };
                 for (index, item) in items.iter().enumerate() {
                     let side = &sides[*item];
                     let from = if index == 0 { start.station } else { 0.0 };

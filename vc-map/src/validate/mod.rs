@@ -101,9 +101,13 @@ impl MapViolation {
 impl fmt::Display for MapViolation {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::CutOff { lane, lanes } => write!(f, "{lane} and {} more are cut off from the main streets", lanes - 1),
+            Self::CutOff { lane, lanes } => {
+                write!(f, "{lane} and {} more are cut off from the main streets", lanes - 1)
+            }
             Self::DeadLane { lane } => write!(f, "{lane} ends, and nothing goes on"),
-            Self::Gap { junction, lane, metres } => write!(f, "a movement of {junction} misses {lane} by {metres:.2} m"),
+            Self::Gap { junction, lane, metres } => {
+                write!(f, "a movement of {junction} misses {lane} by {metres:.2} m")
+            }
             Self::MissingConflict { junction, pair } => {
                 write!(f, "{} and {} of {junction} meet, and its table lacks them", pair.0, pair.1)
             }

@@ -16,27 +16,34 @@ pub(super) fn violations(map: &StreetMap) -> Vec<MapViolation> {
 }
 
 fn cut_off(map: &StreetMap) -> Vec<MapViolation> {
-    map.walk_parts().into_iter().skip(1).map(|(nodes, metres)| {
-        let node = nodes.first().copied().unwrap_or(WalkNodeId(0));
-        MapViolation::WalkCutOff { node, nodes: nodes.len(), metres }
-    }).collect()
+    map.walk_parts()
+        .into_iter()
+        .skip(1)
+        .map(|(nodes, metres)| {
+            let node = nodes.first().copied().unwrap_or(WalkNodeId(0));
+            MapViolation::WalkCutOff { node, nodes: nodes.len(), metres }
+        })
+        .collect()
 }
 
 fn no_crossing(map: &StreetMap, id: JunctionId) -> Vec<MapViolation> {
     let Some(junction) = map.junction(id) else { return Vec::new() };
     let paved = |road: &crate::Road| {
-        let sides = [true, false].map(|side| road.draft.section.side(side).iter().any(|s| s.kind == StripKind::Pavement));
+        let sides =
+            [true, false].map(|side| road.draft.section.side(side).iter().any(|s| s.kind == StripKind::Pavement));
         sides == [true; 2] && road.draft.class != RoadClass::Motorway
     };
     let crossed = |road| {
         let over = |id: &CrossingId| map.crossing(*id).is_some_and(|crossing| crossing.roads.contains(&road));
         junction.crossings.iter().any(over)
     };
-    let streets = junction.arms.iter().filter(|arm| map.road(arm.road).is_some_and(|road| road.draft.class.is_street()));
+    let streets =
+        junction.arms.iter().filter(|arm| map.road(arm.road).is_some_and(|road| road.draft.class.is_street()));
     let alone = streets.count() <= 2;
     let lost = junction.arms.iter().filter(|arm| !alone && map.road(arm.road).is_some_and(paved) && !crossed(arm.road));
     let lost = lost.map(|arm| MapViolation::NoCrossing { junction: id, road: arm.road });
-    let dark = junction.crossings.iter().filter(|id| map.crossing(**id).is_some_and(|c| c.kind == CrossingKind::Marked));
+    let dark =
+        junction.crossings.iter().filter(|id| map.crossing(**id).is_some_and(|c| c.kind == CrossingKind::Marked));
     lost.chain(dark.map(|crossing| MapViolation::Unlit { crossing: *crossing })).collect()
 }
 

@@ -23,8 +23,15 @@ fn the_town_is_written_and_read_as_the_same_map() {
 #[test]
 fn a_map_of_another_kind_is_refused_with_line_and_field() {
     let error = |text: &str| native::read(text).unwrap_err().to_string();
-    assert_eq!(error(r#"{"virtualcity_map": 9, "map": {}}"#), "the map has version 9, at most 1 is read: use a newer program");
-    assert!(error("{\n\"virtualcity_map\": 1,\n\"map\": {\"name\": 3}}").starts_with("line 3: map.name: "), "{}", error("{\n\"virtualcity_map\": 1,\n\"map\": {\"name\": 3}}"));
+    assert_eq!(
+        error(r#"{"virtualcity_map": 9, "map": {}}"#),
+        "the map has version 9, at most 1 is read: use a newer program"
+    );
+    assert!(
+        error("{\n\"virtualcity_map\": 1,\n\"map\": {\"name\": 3}}").starts_with("line 3: map.name: "),
+        "{}",
+        error("{\n\"virtualcity_map\": 1,\n\"map\": {\"name\": 3}}")
+    );
     assert!(error("nonsense").starts_with("line 1: "));
 }
 

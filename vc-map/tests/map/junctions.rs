@@ -2,8 +2,8 @@
 
 use vc_map::validate::{missing_conflicts, unsafe_phases};
 use vc_map::{
-    Control, CrossSection, DrivingSide, JunctionId, Light, MapDraft, MapError, MapViolation, RoadClass, RoadId, SignalId,
-    Strip, StripKind, Turn, TurnBan, Users,
+    Control, CrossSection, DrivingSide, JunctionId, Light, MapDraft, MapError, MapViolation, RoadClass, RoadId,
+    SignalId, Strip, StripKind, Turn, TurnBan, Users,
 };
 
 use crate::town::{crossroads, street};
@@ -61,7 +61,11 @@ fn a_phase_that_lets_two_go_who_meet_is_found() {
 fn turns_give_way_to_those_who_go_straight_on_and_minor_roads_to_major_ones() {
     let mut draft = MapDraft::new("minor", 48.0, 11.0);
     let middle = draft.junction([0.0, 0.0], Control::Priority);
-    for (end, class) in [([100.0, 0.0], RoadClass::Primary), ([-100.0, 0.0], RoadClass::Primary), ([0.0, -100.0], RoadClass::Residential)] {
+    for (end, class) in [
+        ([100.0, 0.0], RoadClass::Primary),
+        ([-100.0, 0.0], RoadClass::Primary),
+        ([0.0, -100.0], RoadClass::Residential),
+    ] {
         let end = draft.junction(end, Control::Edge);
         draft.road(end, middle, class, street(1));
     }
@@ -90,7 +94,13 @@ fn marked_lanes_lead_where_their_marks_say_and_bans_are_kept() {
     draft.bans.push(TurnBan { from: roads[1], at: middle, to: roads[2] });
     let map = draft.build().unwrap();
     let from = |road: RoadId, index| {
-        let lane = map.road(road).unwrap().lanes.iter().map(|id| map.lane(*id).unwrap()).find(|l| l.forward && l.index == index);
+        let lane = map
+            .road(road)
+            .unwrap()
+            .lanes
+            .iter()
+            .map(|id| map.lane(*id).unwrap())
+            .find(|l| l.forward && l.index == index);
         lane.unwrap().next.iter().map(|id| map.movement(*id).unwrap()).collect::<Vec<_>>()
     };
     assert!(from(roads[0], 0).iter().filter(|m| m.users.has(Users::CAR)).all(|movement| movement.turn == Turn::Left));
@@ -115,7 +125,8 @@ fn a_dead_end_is_turned_at_and_the_edge_of_the_map_is_left_by() {
 fn a_street_apart_from_all_others_is_told_with_its_place() {
     let mut draft = MapDraft::new("apart", 48.0, 11.0);
     for y in [0.0, 500.0] {
-        let ends = [draft.junction([0.0, y], Control::Priority), draft.junction([80.0 + y / 10.0, y], Control::Priority)];
+        let ends =
+            [draft.junction([0.0, y], Control::Priority), draft.junction([80.0 + y / 10.0, y], Control::Priority)];
         draft.road(ends[0], ends[1], RoadClass::Residential, street(1));
     }
     let map = draft.build().unwrap();

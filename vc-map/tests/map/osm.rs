@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use vc_map::osm::{Element, Guessed, OsmError, OsmData, ImportOptions, Reason};
+use vc_map::osm::{Element, Guessed, ImportOptions, OsmData, OsmError, Reason};
 use vc_map::{Control, CrossingKind, DrivingSide, RoadClass, StripKind, Users};
 
 use crate::town::import;
@@ -46,14 +46,16 @@ fn lanes_limits_and_one_way_streets_in_both_directions() {
         let pavement = map.lanes().iter().find(|lane| lane.kind == StripKind::Pavement).unwrap();
         assert!(pavement.line.start().y < line.start().y, "{oneway}");
     }
-    let (map, _) = import(&file(&[(1, 0.0, 0.0, ""), (2, 1.0, 0.0, "")], &[(9, &[1, 2], "highway=primary maxspeed=30mph")], ""));
+    let (map, _) =
+        import(&file(&[(1, 0.0, 0.0, ""), (2, 1.0, 0.0, "")], &[(9, &[1, 2], "highway=primary maxspeed=30mph")], ""));
     assert!((map.lanes()[0].limit - 13.4112).abs() < 1e-3);
 }
 
 #[test]
 fn bridges_do_not_meet_the_street_below() {
     let nodes = [(1, -1.0, 0.0, ""), (2, 1.0, 0.0, ""), (3, 0.0, -1.0, ""), (4, 0.0, 1.0, "")];
-    let ways: [(i64, &[i64], &str); 2] = [(8, &[1, 2], "highway=secondary"), (9, &[3, 4], "highway=secondary bridge=yes layer=1")];
+    let ways: [(i64, &[i64], &str); 2] =
+        [(8, &[1, 2], "highway=secondary"), (9, &[3, 4], "highway=secondary bridge=yes layer=1")];
     let (map, _) = import(&file(&nodes, &ways, ""));
     assert_eq!((map.roads().len(), map.junctions().len()), (2, 4));
     assert_eq!(map.roads().iter().map(|road| road.draft.layer).max(), Some(1));
@@ -63,7 +65,8 @@ fn bridges_do_not_meet_the_street_below() {
 fn a_signal_before_a_junction_rules_the_junction() {
     let mut nodes = CROSS.to_vec();
     nodes.push((6, 0.3, 0.0, "highway=traffic_signals traffic_signals:direction=backward"));
-    let ways: [(i64, &[i64], &str); 2] = [(8, &[4, 1, 6, 2], "highway=secondary"), (9, &[3, 1, 5], "highway=secondary")];
+    let ways: [(i64, &[i64], &str); 2] =
+        [(8, &[4, 1, 6, 2], "highway=secondary"), (9, &[3, 1, 5], "highway=secondary")];
     let (map, report) = import(&file(&nodes, &ways, ""));
     let lit: Vec<_> = map.junctions().iter().filter(|junction| junction.draft.control == Control::Signals).collect();
     assert!(matches!(lit[..], [junction] if junction.draft.source.contains(&1)), "{lit:?}");
@@ -76,12 +79,25 @@ fn the_four_nodes_of_a_dual_carriageway_are_one_junction() {
     let corners = [(-near, -near), (near, -near), (near, near), (-near, near)];
     let mut nodes: Vec<(i64, f64, f64, &str)> =
         corners.iter().enumerate().map(|(i, (x, y))| (i as i64 + 1, *x, *y, "highway=traffic_signals")).collect();
-    for (id, x, y) in [(11, -1.0, -near), (12, 1.0, -near), (13, 1.0, near), (14, -1.0, near), (21, -near, -1.0), (22, -near, 1.0), (23, near, 1.0), (24, near, -1.0)] {
+    for (id, x, y) in [
+        (11, -1.0, -near),
+        (12, 1.0, -near),
+        (13, 1.0, near),
+        (14, -1.0, near),
+        (21, -near, -1.0),
+        (22, -near, 1.0),
+        (23, near, 1.0),
+        (24, near, -1.0),
+    ] {
         nodes.push((id, x, y, ""));
     }
     let one_way = "highway=primary oneway=yes lanes=2";
-    let ways: [(i64, &[i64], &str); 4] =
-        [(1, &[11, 1, 2, 12], one_way), (2, &[13, 3, 4, 14], one_way), (3, &[22, 4, 1, 21], one_way), (4, &[24, 2, 3, 23], one_way)];
+    let ways: [(i64, &[i64], &str); 4] = [
+        (1, &[11, 1, 2, 12], one_way),
+        (2, &[13, 3, 4, 14], one_way),
+        (3, &[22, 4, 1, 21], one_way),
+        (4, &[24, 2, 3, 23], one_way),
+    ];
     let (map, _) = import(&file(&nodes, &ways, ""));
     let lit: Vec<_> = map.junctions().iter().filter(|junction| junction.draft.control == Control::Signals).collect();
     assert!(matches!(lit[..], [junction] if junction.arms.len() == 8 && junction.draft.source.len() == 4), "{lit:?}");
@@ -91,9 +107,19 @@ fn the_four_nodes_of_a_dual_carriageway_are_one_junction() {
 #[test]
 fn roundabouts_tell_the_side_and_stay_rings() {
     for (ring, side) in [([1, 2, 3, 4, 1], DrivingSide::Right), ([1, 4, 3, 2, 1], DrivingSide::Left)] {
-        let nodes = [(1, 0.2, 0.0, ""), (2, 0.0, 0.2, ""), (3, -0.2, 0.0, ""), (4, 0.0, -0.2, ""), (5, 1.0, 0.0, ""), (6, -1.0, 0.0, "")];
-        let ways: [(i64, &[i64], &str); 3] =
-            [(7, &ring, "highway=primary junction=roundabout"), (8, &[5, 1], "highway=primary"), (9, &[3, 6], "highway=primary")];
+        let nodes = [
+            (1, 0.2, 0.0, ""),
+            (2, 0.0, 0.2, ""),
+            (3, -0.2, 0.0, ""),
+            (4, 0.0, -0.2, ""),
+            (5, 1.0, 0.0, ""),
+            (6, -1.0, 0.0, ""),
+        ];
+        let ways: [(i64, &[i64], &str); 3] = [
+            (7, &ring, "highway=primary junction=roundabout"),
+            (8, &[5, 1], "highway=primary"),
+            (9, &[3, 6], "highway=primary"),
+        ];
         let (map, _) = import(&file(&nodes, &ways, ""));
         assert_eq!(map.side(), side);
         assert_eq!(map.roads().iter().filter(|road| road.draft.roundabout).count(), 2);
@@ -103,15 +129,25 @@ fn roundabouts_tell_the_side_and_stay_rings() {
 #[test]
 fn crossings_with_and_without_footways_lights_and_marks() {
     let nodes = [
-        (1, -1.0, 0.0, ""), (2, 0.0, 0.0, "highway=crossing crossing=traffic_signals"), (3, 1.0, 0.0, ""),
-        (4, 0.0, 0.3, ""), (5, 0.0, -0.3, ""), (6, 0.5, 0.0, "highway=crossing crossing=zebra crossing:island=yes"),
+        (1, -1.0, 0.0, ""),
+        (2, 0.0, 0.0, "highway=crossing crossing=traffic_signals"),
+        (3, 1.0, 0.0, ""),
+        (4, 0.0, 0.3, ""),
+        (5, 0.0, -0.3, ""),
+        (6, 0.5, 0.0, "highway=crossing crossing=zebra crossing:island=yes"),
     ];
     let ways: [(i64, &[i64], &str); 3] = [
-        (7, &[1, 2, 6, 3], "highway=secondary sidewalk=both"), (8, &[4, 2], "highway=footway"), (9, &[2, 5], "highway=footway"),
+        (7, &[1, 2, 6, 3], "highway=secondary sidewalk=both"),
+        (8, &[4, 2], "highway=footway"),
+        (9, &[2, 5], "highway=footway"),
     ];
     let (map, _) = import(&file(&nodes, &ways, ""));
-    let kinds: Vec<_> = map.crossings().iter().filter(|crossing| !crossing.guessed).map(|c| (c.kind, c.island)).collect();
-    assert!(kinds.contains(&(CrossingKind::Signals, false)) && kinds.contains(&(CrossingKind::Marked, true)), "{kinds:?}");
+    let kinds: Vec<_> =
+        map.crossings().iter().filter(|crossing| !crossing.guessed).map(|c| (c.kind, c.island)).collect();
+    assert!(
+        kinds.contains(&(CrossingKind::Signals, false)) && kinds.contains(&(CrossingKind::Marked, true)),
+        "{kinds:?}"
+    );
     assert_eq!((map.signals().len(), map.walk_parts().len()), (1, 1));
     // People have a phase of their own, vehicles another.
     assert!(map.signals()[0].phases.len() >= 4);
@@ -121,12 +157,24 @@ fn crossings_with_and_without_footways_lights_and_marks() {
 #[test]
 fn buildings_from_ways_and_relations_with_heights_and_doors() {
     let nodes = [
-        (1, 0.0, 0.0, ""), (2, 0.2, 0.0, "entrance=main"), (3, 0.2, 0.2, ""), (4, 0.0, 0.2, ""),
-        (5, 0.05, 0.05, ""), (6, 0.15, 0.05, ""), (7, 0.15, 0.15, ""), (8, -1.0, -0.1, ""), (9, 1.0, -0.1, ""),
-        (11, 0.4, 0.0, ""), (12, 0.5, 0.0, ""), (13, 0.5, 0.1, ""),
+        (1, 0.0, 0.0, ""),
+        (2, 0.2, 0.0, "entrance=main"),
+        (3, 0.2, 0.2, ""),
+        (4, 0.0, 0.2, ""),
+        (5, 0.05, 0.05, ""),
+        (6, 0.15, 0.05, ""),
+        (7, 0.15, 0.15, ""),
+        (8, -1.0, -0.1, ""),
+        (9, 1.0, -0.1, ""),
+        (11, 0.4, 0.0, ""),
+        (12, 0.5, 0.0, ""),
+        (13, 0.5, 0.1, ""),
     ];
     let ways: [(i64, &[i64], &str); 5] = [
-        (1, &[1, 2, 3], ""), (2, &[1, 4, 3], ""), (3, &[5, 6, 7, 5], ""), (4, &[8, 9], "highway=residential"),
+        (1, &[1, 2, 3], ""),
+        (2, &[1, 4, 3], ""),
+        (3, &[5, 6, 7, 5], ""),
+        (4, &[8, 9], "highway=residential"),
         (5, &[11, 12, 13, 11], "building=yes height=33ft"),
     ];
     let relation = r#"<relation id="1"><member type="way" ref="1" role="outer"/><member type="way" ref="2" role="outer"/>
@@ -144,8 +192,10 @@ fn buildings_from_ways_and_relations_with_heights_and_doors() {
 #[test]
 fn extracts_cut_at_the_edge_lose_what_is_not_there_and_say_so() {
     let ways: [(i64, &[i64], &str); 4] = [
-        (1, &[4, 1, 2, 99], "highway=residential"), (2, &[98, 97], "highway=residential"),
-        (3, &[3, 5], "highway=construction"), (4, &[3, 3], "highway=residential"),
+        (1, &[4, 1, 2, 99], "highway=residential"),
+        (2, &[98, 97], "highway=residential"),
+        (3, &[3, 5], "highway=construction"),
+        (4, &[3, 3], "highway=residential"),
     ];
     let (map, report) = import(&file(&CROSS, &ways, ""));
     assert_eq!(map.roads().len(), 1);
@@ -158,7 +208,10 @@ fn extracts_cut_at_the_edge_lose_what_is_not_there_and_say_so() {
 #[test]
 fn restrictions_keep_from_turning() {
     let ways: [(i64, &[i64], &str); 4] = [
-        (1, &[2, 1], "highway=secondary"), (2, &[1, 3], "highway=tertiary"), (3, &[1, 4], "highway=residential"), (4, &[1, 5], "highway=secondary name=x"),
+        (1, &[2, 1], "highway=secondary"),
+        (2, &[1, 3], "highway=tertiary"),
+        (3, &[1, 4], "highway=residential"),
+        (4, &[1, 5], "highway=secondary name=x"),
     ];
     let relation = |kind: &str, to: i64| {
         format!(

@@ -7,9 +7,30 @@ use vc_testkit::cases;
 
 /// Words of which files consist, so that random texts come far.
 const WORDS: [&str; 24] = [
-    "<osm>", "</osm>", "<node id=\"", "<way id=\"", "<nd ref=\"", "\"/>", "\">", "</way>", "</node>", "1", "2", "3", "-9",
-    "\" lat=\"", "\" lon=\"", "48.1", "1e300", "<tag k=\"highway\" v=\"residential\"/>", "<tag k=\"lanes\" v=\"9\"/>",
-    "<relation id=\"5\">", "</relation>", "<member type=\"way\" ref=\"", "\u{fffd}", "&#x;",
+    "<osm>",
+    "</osm>",
+    "<node id=\"",
+    "<way id=\"",
+    "<nd ref=\"",
+    "\"/>",
+    "\">",
+    "</way>",
+    "</node>",
+    "1",
+    "2",
+    "3",
+    "-9",
+    "\" lat=\"",
+    "\" lon=\"",
+    "48.1",
+    "1e300",
+    "<tag k=\"highway\" v=\"residential\"/>",
+    "<tag k=\"lanes\" v=\"9\"/>",
+    "<relation id=\"5\">",
+    "</relation>",
+    "<member type=\"way\" ref=\"",
+    "\u{fffd}",
+    "&#x;",
 ];
 
 fn survives(file: &[u8]) {
@@ -66,11 +87,15 @@ proptest! {
 #[test]
 fn ten_megabytes_of_garbage_are_refused() {
     let mut byte = 1u32;
-    let noise: Vec<u8> = (0..10_000_000).map(|_| {
-        byte = byte.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-        (byte >> 24) as u8
-    }).collect();
-    for file in [noise, b"<".repeat(10_000_000), b"<a>".repeat(3_333_333), b"<osm>".repeat(2_000_000), b"x\n".repeat(5_000_000)] {
+    let noise: Vec<u8> = (0..10_000_000)
+        .map(|_| {
+            byte = byte.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            (byte >> 24) as u8
+        })
+        .collect();
+    for file in
+        [noise, b"<".repeat(10_000_000), b"<a>".repeat(3_333_333), b"<osm>".repeat(2_000_000), b"x\n".repeat(5_000_000)]
+    {
         let error = OsmData::from_xml(&file).unwrap_err().to_string();
         assert!(error.contains("line "), "{error}");
     }
@@ -81,7 +106,8 @@ fn packed_files_take_at_most_twenty_times_their_bytes() {
     let nodes: String = (0..20_000).map(|id| format!(r#"<node id="{id}" lat="1" lon="1"/>"#)).collect();
     let refs: String = (0..20_000).map(|id| format!(r#"<nd ref="{id}"/>"#)).collect();
     let tags: String = (0..20_000).map(|id| format!(r#"<tag k="{id}" v=""/>"#)).collect();
-    let ways = r#"<way id="1"/>"#.to_owned() + &(0..20_000).map(|id| format!(r#"<way id="{id}"/>"#)).collect::<String>();
+    let ways =
+        r#"<way id="1"/>"#.to_owned() + &(0..20_000).map(|id| format!(r#"<way id="{id}"/>"#)).collect::<String>();
     for content in [nodes, format!(r#"<way id="1">{refs}</way>"#), format!(r#"<way id="1">{tags}</way>"#), ways] {
         let file = format!("<osm>{content}</osm>");
         let data = OsmData::from_xml(file.as_bytes()).unwrap();

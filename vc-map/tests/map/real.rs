@@ -36,7 +36,8 @@ fn extracts() -> Vec<(StreetMap, ImportReport, (&'static str, DrivingSide, f64))
 fn lanes_are_as_long_as_netconvert_has_them_within_five_hundredths() {
     for (map, _, (name, side, kilometres)) in extracts() {
         assert_eq!(map.side(), side, "{name}");
-        let metres = map.length_of(|lane, road| lane.users.any(Users::CAR | Users::BUS) && road.draft.class.is_through());
+        let metres =
+            map.length_of(|lane, road| lane.users.any(Users::CAR | Users::BUS) && road.draft.class.is_through());
         assert!((metres / 1000.0 / kilometres - 1.0).abs() < 0.05, "{name}: {metres}");
     }
 }
@@ -45,7 +46,10 @@ fn lanes_are_as_long_as_netconvert_has_them_within_five_hundredths() {
 fn tables_are_whole_phases_safe_and_the_core_can_be_walked() {
     for (map, report, (name, ..)) in extracts() {
         for violation in map.validate() {
-            let fine = matches!(violation, MapViolation::CutOff { .. } | MapViolation::DeadLane { .. } | MapViolation::WalkCutOff { .. });
+            let fine = matches!(
+                violation,
+                MapViolation::CutOff { .. } | MapViolation::DeadLane { .. } | MapViolation::WalkCutOff { .. }
+            );
             assert!(fine, "{name}: {violation}");
         }
         let parts = map.walk_parts();

@@ -18,9 +18,20 @@ fn walked(map: &vc_map::StreetMap, from: EntranceId) -> BTreeMap<u32, f64> {
                 match junction.signal.filter(|_| crossing.kind == vc_map::CrossingKind::Signals) {
                     Some(signal) => {
                         let phases = &map.signal(signal).unwrap().phases;
-                        phases.iter().filter(|p| matches!(p.lights[row], vc_map::Light::Red | vc_map::Light::Yellow)).map(|p| p.seconds).sum::<f64>() / 2.0
+                        phases
+                            .iter()
+                            .filter(|p| matches!(p.lights[row], vc_map::Light::Red | vc_map::Light::Yellow))
+                            .map(|p| p.seconds)
+                            .sum::<f64>()
+                            / 2.0
                     }
-                    None => if crossing.kind == vc_map::CrossingKind::Signals { 0.0 } else { 3.0 },
+                    None => {
+                        if crossing.kind == vc_map::CrossingKind::Signals {
+                            0.0
+                        } else {
+                            3.0
+                        }
+                    }
                 }
             }
             _ => 0.0,
@@ -30,7 +41,10 @@ fn walked(map: &vc_map::StreetMap, from: EntranceId) -> BTreeMap<u32, f64> {
     let start = map.entrance(from).unwrap();
     let edge = map.walk_edge(start.edge.unwrap()).unwrap();
     let pace = cost(edge) / edge.line.length();
-    let mut best = BTreeMap::from([(edge.ends[0].0, start.station * pace), (edge.ends[1].0, (edge.line.length() - start.station) * pace)]);
+    let mut best = BTreeMap::from([
+        (edge.ends[0].0, start.station * pace),
+        (edge.ends[1].0, (edge.line.length() - start.station) * pace),
+    ]);
     loop {
         let mut changed = false;
         for edge in map.walk_edges() {
@@ -81,10 +95,14 @@ fn cars_follow_movements_and_turn_as_little_as_they_can() {
     let map = grid(6);
     let router = Router::new(&map, Mode::Car);
     let route = router.route(&Point::new(50.0, -1.5), &Point::new(501.5, 450.0)).unwrap();
-    let roads: Vec<_> = route.legs.iter().map(|leg| match leg {
-        Leg::Road(road, forward) => (*road, *forward),
-        other => panic!("{other:?}"),
-    }).collect();
+    let roads: Vec<_> = route
+        .legs
+        .iter()
+        .map(|leg| match leg {
+            Leg::Road(road, forward) => (*road, *forward),
+            other => panic!("{other:?}"),
+        })
+        .collect();
     for pair in roads.windows(2) {
         let joined = map.movements().iter().any(|movement| {
             let side = |id| map.lane(id).map(|lane| (lane.road, lane.forward));

@@ -20,7 +20,10 @@ pub(super) fn connecting_road(map: &StreetMap, xml: &mut Xml, id: MovementId) {
     let number = connecting_number(map, id);
     let length = Fixed(movement.line.length());
     let rule = if map.side() == crate::DrivingSide::Right { "RHT" } else { "LHT" };
-    xml.open("road", &[("name", &""), ("length", &length), ("id", &number), ("junction", &movement.junction.0), ("rule", &rule)]);
+    xml.open(
+        "road",
+        &[("name", &""), ("length", &length), ("id", &number), ("junction", &movement.junction.0), ("rule", &rule)],
+    );
     xml.open("link", &[]);
     for (tag, lane, at_end) in [("predecessor", from, from.forward), ("successor", to, !to.forward)] {
         let (road, point) = (road_number(lane.road), contact(at_end));

@@ -55,7 +55,11 @@ fn header(map: &StreetMap, xml: &mut Xml) {
     ];
     xml.open("header", &attributes);
     let Origin { latitude, longitude } = map.origin();
-    xml.text("geoReference", &[], &format!("+proj=tmerc +lat_0={latitude} +lon_0={longitude} +k=1 +x_0=0 +y_0=0 +datum=WGS84 +units=m +no_defs"));
+    xml.text(
+        "geoReference",
+        &[],
+        &format!("+proj=tmerc +lat_0={latitude} +lon_0={longitude} +k=1 +x_0=0 +y_0=0 +datum=WGS84 +units=m +no_defs"),
+    );
     xml.close();
 }
 
@@ -76,7 +80,8 @@ fn plan_view(xml: &mut Xml, line: &Polyline) {
     for pair in line.points().windows(2) {
         let length = (pair[1] - pair[0]).norm();
         let heading = line.heading(station + length / 2.0);
-        let (s, x, y, hdg, length_text) = (Fixed(station), Fixed(pair[0].x), Fixed(pair[0].y), Fine(heading), Fixed(length));
+        let (s, x, y, hdg, length_text) =
+            (Fixed(station), Fixed(pair[0].x), Fixed(pair[0].y), Fine(heading), Fixed(length));
         xml.open("geometry", &[("s", &s), ("x", &x), ("y", &y), ("hdg", &hdg), ("length", &length_text)]);
         xml.tag("line", &[]);
         xml.close();

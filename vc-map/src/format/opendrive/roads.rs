@@ -30,7 +30,8 @@ pub(super) fn road(map: &StreetMap, xml: &mut Xml, id: RoadId) {
     let number = road_number(id);
     xml.open("road", &[("name", &name), ("length", &length), ("id", &number), ("junction", &-1), ("rule", &rule)]);
     xml.open("link", &[]);
-    let meets = |junction: crate::JunctionId| map.junction(junction).is_some_and(|junction| !junction.movements.is_empty());
+    let meets =
+        |junction: crate::JunctionId| map.junction(junction).is_some_and(|junction| !junction.movements.is_empty());
     for (tag, junction) in [("predecessor", draft.from), ("successor", draft.to)] {
         if meets(junction) {
             xml.tag(tag, &[("elementType", &"junction"), ("elementId", &junction.0)]);
@@ -111,7 +112,8 @@ pub(super) fn kind(strip: &Strip) -> &'static str {
 
 /// A signal for each lane that ends at lights, and an object for each crossing over the road.
 fn signals(map: &StreetMap, xml: &mut Xml, road: &Road, line: &Polyline) {
-    let lit: Vec<(LaneId, &Lane)> = road.lanes.iter().filter_map(|id| Some((*id, map.lane(*id)?))).filter(|(_, lane)| is_lit(map, lane)).collect();
+    let lit: Vec<(LaneId, &Lane)> =
+        road.lanes.iter().filter_map(|id| Some((*id, map.lane(*id)?))).filter(|(_, lane)| is_lit(map, lane)).collect();
     if lit.is_empty() {
         return;
     }
@@ -144,7 +146,8 @@ fn signals(map: &StreetMap, xml: &mut Xml, road: &Road, line: &Polyline) {
 /// Whether lights rule the movements of a lane.
 pub(super) fn is_lit(map: &StreetMap, lane: &Lane) -> bool {
     let light = |light: &Light| *light != Light::Red;
-    let junction = lane.next.first().and_then(|id| map.movement(*id)).and_then(|movement| map.junction(movement.junction));
+    let junction =
+        lane.next.first().and_then(|id| map.movement(*id)).and_then(|movement| map.junction(movement.junction));
     let signal = junction.and_then(|junction| junction.signal).and_then(|id| map.signal(id));
     signal.is_some_and(|signal| signal.phases.iter().any(|phase| phase.lights.iter().any(light)))
 }

@@ -21,7 +21,9 @@ pub(super) fn crossed(map: &StreetMap, crossing: &RoadCrossing) -> String {
     let mut edges = Vec::new();
     for road in &crossing.roads {
         let Some(found) = map.road(*road) else { continue };
-        let driven = |forward: &bool| side(map, found, *forward).iter().any(|(_, lane)| lane.users.without(Users::FOOT) != Users::NONE);
+        let driven = |forward: &bool| {
+            side(map, found, *forward).iter().any(|(_, lane)| lane.users.without(Users::FOOT) != Users::NONE)
+        };
         edges.extend([true, false].into_iter().filter(driven).map(|forward| name(*road, forward)));
     }
     edges.join(" ")
@@ -34,7 +36,8 @@ pub(super) fn connections(map: &StreetMap) -> String {
         let Some([from, to, lane, onto]) = ends(map, movement) else { continue };
         let lane_of = map.lane(movement.from);
         left.extend(lane_of.map(|lane| (lane.road, lane.forward)));
-        let mut attributes: Vec<(&str, &dyn Display)> = vec![("from", &from), ("to", &to), ("fromLane", &lane), ("toLane", &onto)];
+        let mut attributes: Vec<(&str, &dyn Display)> =
+            vec![("from", &from), ("to", &to), ("fromLane", &lane), ("toLane", &onto)];
         let both = [movement.from, movement.to].into_iter().filter_map(|id| map.lane(id)).map(|lane| lane.users);
         let both = both.reduce(Users::and).unwrap_or_default().without(Users::FOOT);
         let allow = classes(movement.users);

@@ -69,7 +69,8 @@ fn edge(map: &StreetMap, xml: &mut Xml, id: RoadId, forward: bool, lanes: &[(Lan
     let inner = if forward { inner } else { inner.reversed() };
     let shape: Vec<String> = inner.points().iter().map(|p| format!("{},{}", Metres(p.x), Metres(p.y))).collect();
     let speed = lanes.iter().map(|(_, lane)| lane.limit).fold(0.0, f64::max);
-    let (id, from, to, speed, shape) = (name(id, forward), NodeName(from), NodeName(to), Metres(speed), shape.join(" "));
+    let (id, from, to, speed, shape) =
+        (name(id, forward), NodeName(from), NodeName(to), Metres(speed), shape.join(" "));
     let (priority, kind, count) = (draft.class.rank(), draft.class.word(), lanes.len());
     let mut attributes: Vec<(&str, &dyn Display)> = vec![
         ("id", &id),
@@ -88,7 +89,15 @@ fn edge(map: &StreetMap, xml: &mut Xml, id: RoadId, forward: bool, lanes: &[(Lan
     xml.open("edge", &attributes);
     for (index, (_, lane)) in lanes.iter().enumerate() {
         let allow = classes(lane.users);
-        xml.tag("lane", &[("index", &index), ("allow", &allow), ("width", &Metres(lane.width)), ("speed", &Metres(lane.limit.max(0.1)))]);
+        xml.tag(
+            "lane",
+            &[
+                ("index", &index),
+                ("allow", &allow),
+                ("width", &Metres(lane.width)),
+                ("speed", &Metres(lane.limit.max(0.1))),
+            ],
+        );
     }
     xml.close();
 }

@@ -23,8 +23,14 @@ pub(super) fn lights(map: &StreetMap) -> String {
         let own = map.junction(signal.junction).into_iter().flat_map(|junction| junction.movements.iter().enumerate());
         for (row, movement) in own.filter_map(|(row, movement)| Some((row, map.movement(*movement)?))) {
             let Some([from, to, lane, onto]) = ends(map, movement) else { continue };
-            let attributes: [(&str, &dyn Display); 6] =
-                [("from", &from), ("to", &to), ("fromLane", &lane), ("toLane", &onto), ("tl", &id), ("linkIndex", &row)];
+            let attributes: [(&str, &dyn Display); 6] = [
+                ("from", &from),
+                ("to", &to),
+                ("fromLane", &lane),
+                ("toLane", &onto),
+                ("tl", &id),
+                ("linkIndex", &row),
+            ];
             xml.tag("connection", &attributes);
         }
     }
