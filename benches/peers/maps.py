@@ -224,7 +224,7 @@ def main():
     driving = "--drive" in sys.argv
     given = [pathlib.Path(word) for word in sys.argv[1:] if word != "--drive"]
     data = pathlib.Path(os.environ.get("VC_DATA", PROJECT.parent / "shared" / "data")) / "osm"
-    town = next(iter(PROJECT.glob("**/examples/map/riverside.osm")))
+    town = PROJECT / "vc-map" / "data" / "riverside.osm"
     files = given or [*sorted(data.glob("*.osm.gz")), town]
     wrong = []
     for file in files:

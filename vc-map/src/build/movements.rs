@@ -69,13 +69,22 @@ impl Crossroads<'_> {
                 (Users::TRAIN, Users::TRAIN),
             ] {
                 for (one, other, turn) in self.pairs(from, &targets, users) {
-                    if joined.insert((one, other)) {
+                    let there = found.iter().any(|known: &Movement| self.serves(known, one, other, users));
+                    if !there && joined.insert((one, other)) {
                         found.extend(self.movement(one, other, turn, open));
                     }
                 }
             }
         }
         found
+    }
+
+    /// Whether a movement takes some users from a lane to the road of another already; lanes of their own are always joined.
+    fn serves(&self, known: &Movement, from: LaneId, to: LaneId, users: Users) -> bool {
+        let (onto, lane) = (&self.lanes[known.to.index()], &self.lanes[to.index()]);
+        let own = users == Users::BICYCLE && !lane.users.has(Users::CAR);
+        let same = onto.road == lane.road && onto.forward == lane.forward;
+        known.from == from && known.users.has(users) && same && users != Users::CAR && !own
     }
 
     fn movement(&self, from: LaneId, to: LaneId, direction: Turn, open: Users) -> Option<Movement> {

@@ -3,7 +3,7 @@
 use vc_map::osm::{ImportOptions, ImportReport, OsmData};
 use vc_map::{Control, CrossSection, DrivingSide, JunctionId, MapDraft, RoadClass, StreetMap, Strip};
 
-const RIVERSIDE: &str = include_str!("../../examples/map/riverside.osm");
+const RIVERSIDE: &str = include_str!("../../data/riverside.osm");
 
 /// The example's own map.
 pub(crate) fn riverside() -> (StreetMap, ImportReport) {

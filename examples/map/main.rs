@@ -2,11 +2,10 @@
 //!
 //! ```text
 //! cargo run --release --example map -- FILE --out out/map
-//! cargo run --release --example map -- --route 48.1370,11.5750,48.1390,11.5720 FILE
 //! ```
 //!
 //! FILE is OpenStreetMap's XML or VirtualCity's own map JSON, each plain or packed by gzip. Without one the hand-drawn map
-//! beside this program is read.
+//! of `vc-map/data` is read.
 #![allow(
     clippy::print_stdout,
     clippy::disallowed_methods,
@@ -29,7 +28,7 @@ use vc_map::route::{Mode, Router};
 use vc_map::{Control, DrivingSide, StreetMap, Users};
 
 /// The map that is read without a file.
-const OWN: &str = include_str!("riverside.osm");
+const OWN: &str = include_str!("../../vc-map/data/riverside.osm");
 
 #[derive(Parser)]
 #[command(about = "Reads a map, draws it, and writes it in all other forms")]
