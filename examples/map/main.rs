@@ -4,7 +4,7 @@
 //! cargo run --release --example map -- FILE --out out/map
 //! ```
 //!
-//! FILE is OpenStreetMap's XML or VirtualCity's own map JSON, each plain or packed by gzip. Without one the hand-drawn map
+//! FILE is OpenStreetMap's XML or PBF, or VirtualCity's own map JSON, each plain or packed by gzip. Without one the hand-drawn map
 //! of `vc-map/data` is read.
 #![allow(
     clippy::print_stdout,
@@ -33,7 +33,7 @@ const OWN: &str = include_str!("../../vc-map/data/riverside.osm");
 #[derive(Parser)]
 #[command(about = "Reads a map, draws it, and writes it in all other forms")]
 struct Arguments {
-    /// OpenStreetMap's XML or a map JSON, plain or packed by gzip.
+    /// OpenStreetMap's XML or PBF or a map JSON, plain or packed by gzip.
     file: Option<PathBuf>,
     /// The folder for pictures and files; nothing is written without one.
     #[arg(long)]
@@ -89,7 +89,7 @@ fn read(name: &str, text: &[u8], side: Option<&str>) -> Result<(StreetMap, Strin
     }
     let side = side.map(|side| if side == "left" { DrivingSide::Left } else { DrivingSide::Right });
     let options = ImportOptions { name: name.to_owned(), side };
-    let (draft, report) = OsmData::from_xml(text)?.draft(&options)?;
+    let (draft, report) = OsmData::read(text)?.draft(&options)?;
     Ok((draft.build()?, report.to_string()))
 }
 

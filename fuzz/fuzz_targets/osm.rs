@@ -6,8 +6,8 @@ use vc_map::format::native;
 use vc_map::osm::{ImportOptions, OsmData};
 
 fuzz_target!(|file: &[u8]| {
-    let Ok(data) = OsmData::from_xml(file) else { return };
-    assert!(data.bytes() <= 20 * file.len() + 4096);
+    let Ok(data) = OsmData::read(file) else { return };
+    assert!(data.bytes() <= 20 * file.len() + (1 << 20));
     let Ok((draft, _)) = data.draft(&ImportOptions::default()) else { return };
     let Ok(map) = draft.build() else { return };
     map.validate();

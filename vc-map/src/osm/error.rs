@@ -12,6 +12,14 @@ pub enum OsmError {
         /// The reason.
         why: String,
     },
+    /// Not PBF, or none that is read.
+    #[error("byte {byte}: {why}; OpenStreetMap's PBF was expected")]
+    Pbf {
+        /// Where the block begins, counted from zero.
+        byte: usize,
+        /// The reason.
+        why: &'static str,
+    },
     /// Not OpenStreetMap's XML.
     #[error("line {line}: `<osm>` was expected, found {found}")]
     NotOsm {

@@ -1,4 +1,4 @@
-//! OpenStreetMap in: XML to a [`MapDraft`](crate::MapDraft), with everything that was guessed and dropped.
+//! OpenStreetMap in: XML and PBF to a [`MapDraft`](crate::MapDraft), with everything that was guessed and dropped.
 //!
 //! ```
 //! use vc_map::osm::{ImportOptions, OsmData};
@@ -21,6 +21,7 @@ mod emit;
 mod error;
 mod lanes;
 mod network;
+mod pbf;
 mod places;
 mod report;
 mod restrictions;
@@ -28,6 +29,7 @@ mod rings;
 mod side;
 mod signals;
 mod street;
+mod wire;
 mod xml;
 
 pub use data::{Element, OsmData};
