@@ -12,14 +12,16 @@ mod map;
 pub mod osm;
 mod parts;
 pub mod picture;
+mod places;
 mod polyline;
 pub mod route;
 mod section;
+mod signal;
+mod users;
 pub mod validate;
 
 pub use draft::{
-    Area, AreaKind, Building, Control, CrossingDraft, CrossingKind, DrivingSide, EntranceDraft, JunctionDraft,
-    MapDraft, Origin, RoadDraft, StopDraft, StopKind, Structure, TurnBan,
+    Control, CrossingDraft, CrossingKind, DrivingSide, JunctionDraft, MapDraft, Origin, RoadDraft, Structure, TurnBan,
 };
 pub use error::MapError;
 pub use id::{
@@ -27,9 +29,11 @@ pub use id::{
 };
 pub use map::StreetMap;
 pub use parts::{
-    Arm, Bay, ConflictTable, Entrance, Junction, Lane, Light, Movement, Phase, Road, RoadCrossing, Signal, Stop, Turn,
-    WalkEdge, WalkKind, WalkNode,
+    Arm, Bay, Entrance, Junction, Lane, Movement, Road, RoadCrossing, Stop, Turn, WalkEdge, WalkKind, WalkNode,
 };
+pub use places::{Area, AreaKind, Building, EntranceDraft, StopDraft, StopKind};
 pub use polyline::{Point, Polyline, Projection};
-pub use section::{CrossSection, RoadClass, Strip, StripKind, Turns, Users};
+pub use section::{CrossSection, RoadClass, Strip, StripKind};
+pub use signal::{ConflictTable, Light, Phase, Signal};
+pub use users::{Turns, Users};
 pub use validate::MapViolation;

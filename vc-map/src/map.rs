@@ -3,7 +3,8 @@
 use std::sync::Arc;
 
 use crate::index::PointIndex;
-use crate::parts::{Bay, Entrance, Junction, Lane, Movement, Road, RoadCrossing, Signal, Stop, WalkEdge, WalkNode};
+use crate::parts::{Bay, Entrance, Junction, Lane, Movement, Road, RoadCrossing, Stop, WalkEdge, WalkNode};
+use crate::signal::Signal;
 use crate::{
     BuildingId, CrossingId, DrivingSide, EntranceId, JunctionId, LaneId, MapDraft, MovementId, Origin, Point, Polyline,
     RoadId, SignalId, Users, WalkEdgeId, WalkNodeId,

@@ -6,7 +6,8 @@ use nalgebra::Vector2;
 use vc_graph::portable::Portable;
 
 use super::MOST_ARMS;
-use crate::parts::{Arm, ConflictTable, Junction, Road};
+use crate::parts::{Arm, Junction, Road};
+use crate::signal::ConflictTable;
 use crate::{DrivingSide, JunctionId, MapDraft, MapError, Point, Polyline, RoadId};
 
 /// The direction of an arm is that of its point at this distance, metres.

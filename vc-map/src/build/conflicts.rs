@@ -1,6 +1,7 @@
 //! The conflict tables of junctions.
 
-use crate::parts::{ConflictTable, Junction, Lane, Movement, RoadCrossing};
+use crate::parts::{Junction, Lane, Movement, RoadCrossing};
+use crate::signal::ConflictTable;
 
 /// Movements whose middles come nearer than this conflict, as a part of half their widths.
 pub(crate) const NEAR: f64 = 0.75;

@@ -2,7 +2,8 @@
 
 use super::conflicts::over;
 use super::yields::precedence;
-use crate::parts::{Junction, Lane, Light, Movement, Phase, RoadCrossing, Signal};
+use crate::parts::{Junction, Lane, Movement, RoadCrossing};
+use crate::signal::{Light, Phase, Signal};
 use crate::{Control, JunctionId, MapDraft, SignalId, Turn, Users};
 
 /// The time of all phases that is aimed at, seconds.

@@ -21,6 +21,7 @@ mod emit;
 mod error;
 mod lanes;
 mod network;
+mod pavements;
 mod pbf;
 mod places;
 mod report;
