@@ -212,7 +212,9 @@ def check(home, file, folder, driving):
         print(f"    netconvert on our {what}: {'accepted' if not status else 'refused'}, {warnings} lines of warnings", flush=True)
         wrong += [f"{name}, {what}: {line}" for line in bad]
     if driving:
-        print("\n".join(drive(home, folder, f"{name}.net.xml")), flush=True)
+        print("  an hour of random trips on our plain XML", *drive(home, folder, f"{name}.net.xml"), sep="\n", flush=True)
+        own = [line for line in drive(home, folder, "own.net.xml") if "Teleporting" not in line]
+        print("  the same on netconvert's own import", *own, sep="\n", flush=True)
     return wrong
 
 

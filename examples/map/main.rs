@@ -25,7 +25,7 @@ use vc_map::format::{geojson, native, opendrive, skeleton, sumo};
 use vc_map::osm::{ImportOptions, OsmData};
 use vc_map::picture::Drawing;
 use vc_map::route::{Mode, Router};
-use vc_map::{Control, DrivingSide, StreetMap, Users};
+use vc_map::{Control, CrossSection, DrivingSide, MapDraft, RoadClass, StreetMap, Strip, Users};
 
 /// The map that is read without a file.
 const OWN: &str = include_str!("../../vc-map/data/riverside.osm");
@@ -44,6 +44,9 @@ struct Arguments {
     /// Pixels for a metre.
     #[arg(long, default_value_t = 2.0)]
     scale: f64,
+    /// Instead of a file, a grid of so many by so many junctions with lights, 110 m apart: 36 make 15 square kilometres.
+    #[arg(long)]
+    grid: Option<u32>,
     /// Only this part is drawn: west, south, east, north, metres from the middle.
     #[arg(long, value_delimiter = ',', allow_hyphen_values = true)]
     part: Vec<f64>,
@@ -53,7 +56,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     let arguments = Arguments::parse();
     let (name, text) = text(arguments.file.as_deref())?;
     let begun = Instant::now();
-    let (map, account) = read(&name, &text, arguments.side.as_deref())?;
+    let (map, account) = match arguments.grid {
+        Some(count) => (grid(count)?, String::new()),
+        None => read(&name, &text, arguments.side.as_deref())?,
+    };
     println!("{name}: {} bytes in {:.3} s", text.len(), begun.elapsed().as_secs_f64());
     print(&map, &account);
     routes(&map);
@@ -91,6 +97,31 @@ fn read(name: &str, text: &[u8], side: Option<&str>) -> Result<(StreetMap, Strin
     let options = ImportOptions { name: name.to_owned(), side };
     let (draft, report) = OsmData::read(text)?.draft(&options)?;
     Ok((draft.build()?, report.to_string()))
+}
+
+/// A grid of streets, every fourth of which is a main street.
+fn grid(count: u32) -> Result<StreetMap, Box<dyn Error>> {
+    let mut draft = MapDraft::new("grid", 48.0, 11.0);
+    let cells = (0..count).flat_map(|y| (0..count).map(move |x| (x, y)));
+    let at = |(x, y): (u32, u32)| [110.0 * f64::from(x) + f64::from((x + 3 * y) % 7), 110.0 * f64::from(y)];
+    let ids: Vec<_> = cells.clone().map(|cell| draft.junction(at(cell), Control::Signals)).collect();
+    for (x, y) in cells {
+        let here = (y * count + x) as usize;
+        for (next, there, line) in [(x + 1, here + 1, y), (y + 1, here + count as usize, x)] {
+            let (class, limit) =
+                if line % 4 == 0 { (RoadClass::Secondary, 13.9) } else { (RoadClass::Residential, 8.3) };
+            let side = vec![Strip::driving(3.0, limit), Strip::pavement(2.4)];
+            if next < count {
+                draft.road(
+                    ids[here],
+                    ids[there],
+                    class,
+                    CrossSection { forward: side.clone(), backward: side, median: 0.0 },
+                );
+            }
+        }
+    }
+    Ok(draft.build()?)
 }
 
 fn print(map: &StreetMap, account: &str) {

@@ -66,7 +66,7 @@ pub enum Reason {
     NoSuchTurn,
     /// The map has no use for it.
     NoUse,
-    /// It lies in a part that is connected with nothing.
+    /// More ways meet at its end than a junction takes.
     TooManyMeet,
 }
 
