@@ -114,13 +114,20 @@ impl Crossroads<'_> {
             .collect()
     }
 
+    /// Whether vehicles can only go back: no other arm leads on for them, whatever paths may.
+    fn is_dead_end(&self, from: usize) -> bool {
+        let leads = |arm: &Arm| !self.ways(arm, false, Users::CAR | Users::BUS).is_empty();
+        let others = self.junction.arms.iter().enumerate().filter(|(arm, _)| *arm != from);
+        self.junction.draft.control != crate::Control::Edge && !others.map(|(_, arm)| arm).any(leads)
+    }
+
     /// The arms by which one can go on, from the left to the right.
     fn targets(&self, from: usize) -> Vec<Target> {
         let arms = &self.junction.arms;
         let came = -arms[from].away;
+        let alone = self.is_dead_end(from);
         let mut targets: Vec<Target> = (0..arms.len())
             .filter_map(|arm| {
-                let alone = arms.len() == 1 && self.junction.draft.control != crate::Control::Edge;
                 let banned = self.bans.contains(&(arms[from].road, self.id, arms[arm].road));
                 if banned || (arm == from && !alone) {
                     return None;
@@ -163,7 +170,7 @@ impl Crossroads<'_> {
     }
 
     fn outgoing(&self, target: &Target) -> Vec<LaneId> {
-        self.ways(&self.junction.arms[target.arm], false, Users::TRAFFIC)
+        self.ways(&self.junction.arms[target.arm], false, Users::CAR | Users::BUS)
     }
 
     /// The pairs of lanes for some users from one arm to all others.

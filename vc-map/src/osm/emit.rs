@@ -4,8 +4,8 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::clusters::Clusters;
 use super::network::{Network, Piece};
-use super::{Element, ImportReport, Reason};
-use crate::{Control, CrossingDraft, JunctionDraft, JunctionId, MapDraft, Point, RoadClass, RoadDraft, RoadId};
+use super::{Element, Guessed, ImportReport, Reason};
+use crate::{Control, CrossingDraft, JunctionDraft, JunctionId, MapDraft, Point, RoadClass, RoadDraft, RoadId, Users};
 
 /// A crossing lies on the arm whose road leaves the junction over its node, at most this far from the node, metres.
 const ON_ARM: f64 = 6.0;
@@ -22,7 +22,7 @@ pub(super) fn emit(
         emitter.road(piece, lit, report);
     }
     emitter.crossings();
-    emitter.edges();
+    emitter.edges(report);
 }
 
 struct Emitter<'a> {
@@ -136,16 +136,37 @@ impl Emitter<'_> {
         line.map_or(f64::INFINITY, |line| (line.project(point).point - point).norm())
     }
 
-    /// Junctions at which a single way leaves the map.
-    fn edges(&mut self) {
+    /// Junctions at which the map ends: a single way leaves it there, or traffic comes from nowhere or has nowhere to go.
+    fn edges(&mut self, report: &mut ImportReport) {
         for (head, roads) in &self.roads {
-            let streets =
-                roads.iter().filter(|road| self.draft.roads[road.index()].class < RoadClass::Pedestrian).count();
-            let edge = self.clusters.members.get(head).into_iter().flatten().any(|node| self.network.is_edge(*node));
-            let id = self.ids.get(head).filter(|_| streets <= 1 && roads.len() <= 2 && edge);
-            if let Some(id) = id {
-                self.draft.junctions[id.index()].control = Control::Edge;
+            let Some(id) = self.ids.get(head).copied() else { continue };
+            let roads = roads.iter().map(|road| &self.draft.roads[road.index()]);
+            let streets: Vec<&RoadDraft> = roads.clone().filter(|road| road.class.is_street()).collect();
+            let seen = self.clusters.members.get(head).into_iter().flatten().any(|node| self.network.is_edge(*node));
+            let cut = is_cut(&streets, id);
+            let junction = &mut self.draft.junctions[id.index()];
+            if streets.len() <= 1 && roads.count() <= 2 && seen {
+                junction.control = Control::Edge;
+            } else if cut && junction.control != Control::Signals {
+                junction.control = Control::Edge;
+                let source = junction.source.first().copied().unwrap_or_default();
+                report.guess(Element::Node(source), Guessed::Edge);
             }
         }
     }
+}
+
+/// Whether streets end as none does but where a map was cut: all lead to a junction or all away from it, or a main street
+/// ends.
+fn is_cut(streets: &[&RoadDraft], at: JunctionId) -> bool {
+    let drives = |away: bool| {
+        streets.iter().any(|road| {
+            // Along its line one drives away from its start and towards its end.
+            let sides = [(true, road.from == at), (false, road.to == at)];
+            let open = |forward: bool| road.section.users(forward).any(Users::CAR | Users::BUS);
+            sides.into_iter().any(|(forward, starts)| starts && open(forward == away))
+        })
+    };
+    let main = matches!(streets, [road] if road.class <= RoadClass::Tertiary);
+    !streets.is_empty() && (main || !drives(true) || !drives(false))
 }

@@ -25,6 +25,8 @@ pub enum Guessed {
     Side(DrivingSide),
     /// The directions marked on lanes do not fit their number and were left out.
     TurnLanes,
+    /// The map ends at a node: traffic comes from nowhere or has nowhere to go.
+    Edge,
     /// A signal before a junction belongs to it.
     SignalAt(i64),
 }
@@ -41,6 +43,7 @@ impl fmt::Display for Guessed {
             Self::Side(DrivingSide::Left) => f.write_str("traffic drives on the left"),
             Self::Side(DrivingSide::Right) => f.write_str("traffic drives on the right"),
             Self::TurnLanes => f.write_str("no marks on lanes: those given are of another number of lanes"),
+            Self::Edge => f.write_str("the map ends here"),
             Self::SignalAt(node) => write!(f, "the signal is that of the junction at node {node}"),
         }
     }
