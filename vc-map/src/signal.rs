@@ -3,7 +3,7 @@
 use crate::JunctionId;
 
 /// Which movements and crossings of a junction are in each other's way: a bit for each pair. Movements come first, by
-/// their position in [`Junction::movements`], then [`Junction::crossings`].
+/// their position in [`Junction::movements`](crate::Junction::movements), then [`Junction::crossings`](crate::Junction::crossings).
 ///
 /// ```
 /// use vc_map::ConflictTable;

@@ -1,4 +1,4 @@
-//! OpenStreetMap in: XML and PBF to a [`MapDraft`](crate::MapDraft), with everything that was guessed and dropped.
+//! OpenStreetMap in: XML and PBF to a [`MapDraft`], with everything that was guessed and dropped.
 //!
 //! ```
 //! use vc_map::osm::{ImportOptions, OsmData};
