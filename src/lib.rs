@@ -14,6 +14,7 @@
 //! | `procgen` | `vc-procgen` | apartments from a seed, dressing (feature `procgen`, on by default) |
 //! | `geometry` | `vc-geometry` | shapes for things of which only a box is known, doorways, outlines, hulls (feature `environment`) |
 //! | `gltf` | `vc-gltf` | export and import of models (feature `gltf`, on by default) |
+//! | `map` | `vc-map` | streets: lanes, junctions, pavements, routes; OpenStreetMap in, SUMO and OpenDRIVE out (feature `map`, on by default) |
 //! | `people` | `vc-people` | figures of people: bones, poses, reach, clothes (feature `environment`) |
 //! | `initial` | this crate | initial environments for tasks in generated homes (feature `procgen`) |
 //!
@@ -130,6 +131,8 @@ pub use vc_gltf as gltf;
 pub use vc_graph as graph;
 /// Vectors, points and poses: the version of nalgebra that all crates of the workspace use.
 pub use vc_graph::nalgebra;
+#[cfg(feature = "map")]
+pub use vc_map as map;
 #[cfg(feature = "environment")]
 pub use vc_people as people;
 #[cfg(feature = "physics")]

@@ -1,0 +1,210 @@
+//! Reads a map, draws it, lists what was guessed, dropped and found wrong, and writes it in all other forms.
+//!
+//! ```text
+//! cargo run --release --example map -- FILE --out out/map
+//! ```
+//!
+//! FILE is OpenStreetMap's XML or PBF, or VirtualCity's own map JSON, each plain or packed by gzip. Without one the hand-drawn map
+//! of `vc-map/data` is read.
+#![allow(
+    clippy::print_stdout,
+    clippy::disallowed_methods,
+    reason = "a program says what it does, and how long it takes"
+)]
+
+mod raster;
+
+use std::collections::BTreeMap;
+use std::error::Error;
+use std::io::Read;
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+use clap::Parser;
+use vc_map::format::{geojson, native, opendrive, skeleton, sumo};
+use vc_map::osm::{ImportOptions, OsmData};
+use vc_map::picture::Drawing;
+use vc_map::route::{Mode, Router};
+use vc_map::{Control, CrossSection, DrivingSide, MapDraft, RoadClass, StreetMap, Strip, Users};
+
+/// The map that is read without a file.
+const OWN: &str = include_str!("../../vc-map/data/riverside.osm");
+
+#[derive(Parser)]
+#[command(about = "Reads a map, draws it, and writes it in all other forms")]
+struct Arguments {
+    /// OpenStreetMap's XML or PBF or a map JSON, plain or packed by gzip.
+    file: Option<PathBuf>,
+    /// The folder for pictures and files; nothing is written without one.
+    #[arg(long)]
+    out: Option<PathBuf>,
+    /// The side on which vehicles drive, instead of guessing: left or right.
+    #[arg(long, value_parser = ["left", "right"])]
+    side: Option<String>,
+    /// Pixels for a metre.
+    #[arg(long, default_value_t = 2.0)]
+    scale: f64,
+    /// Instead of a file, a grid of so many by so many junctions with lights, 110 m apart: 36 make 15 square kilometres.
+    #[arg(long)]
+    grid: Option<u32>,
+    /// Only this part is drawn: west, south, east, north, metres from the middle.
+    #[arg(long, value_delimiter = ',', allow_hyphen_values = true)]
+    part: Vec<f64>,
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let arguments = Arguments::parse();
+    let (name, text) = text(arguments.file.as_deref())?;
+    let begun = Instant::now();
+    let (map, account) = match arguments.grid {
+        Some(count) => (grid(count)?, String::new()),
+        None => read(&name, &text, arguments.side.as_deref())?,
+    };
+    println!("{name}: {} bytes in {:.3} s", text.len(), begun.elapsed().as_secs_f64());
+    print(&map, &account);
+    routes(&map);
+    if let Some(folder) = &arguments.out {
+        std::fs::create_dir_all(folder)?;
+        write(&map, &account, folder, &name, &arguments)?;
+        println!("written to {}", folder.display());
+    }
+    Ok(())
+}
+
+/// The name and content of a file, unpacked.
+fn text(file: Option<&Path>) -> Result<(String, Vec<u8>), Box<dyn Error>> {
+    let Some(path) = file else { return Ok(("riverside".to_owned(), OWN.as_bytes().to_vec())) };
+    let packed = std::fs::read(path).map_err(|error| format!("{}: {error}", path.display()))?;
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    let name = name.split('.').next().unwrap_or("map").to_owned();
+    if packed.starts_with(&[0x1f, 0x8b]) {
+        let mut plain = Vec::new();
+        // A file that unpacks to more than a reader takes is not unpacked further.
+        flate2::read::MultiGzDecoder::new(packed.as_slice())
+            .take(vc_map::osm::LARGEST as u64 + 1)
+            .read_to_end(&mut plain)?;
+        return Ok((name, plain));
+    }
+    Ok((name, packed))
+}
+
+/// The map of a text, and the account of its import.
+fn read(name: &str, text: &[u8], side: Option<&str>) -> Result<(StreetMap, String), Box<dyn Error>> {
+    if text.trim_ascii_start().starts_with(b"{") {
+        return Ok((native::read(std::str::from_utf8(text)?)?, String::new()));
+    }
+    let side = side.map(|side| if side == "left" { DrivingSide::Left } else { DrivingSide::Right });
+    let options = ImportOptions { name: name.to_owned(), side };
+    let (draft, report) = OsmData::read(text)?.draft(&options)?;
+    Ok((draft.build()?, report.to_string()))
+}
+
+/// A grid of streets, every fourth of which is a main street.
+fn grid(count: u32) -> Result<StreetMap, Box<dyn Error>> {
+    let mut draft = MapDraft::new("grid", 48.0, 11.0);
+    let cells = (0..count).flat_map(|y| (0..count).map(move |x| (x, y)));
+    let at = |(x, y): (u32, u32)| [110.0 * f64::from(x) + f64::from((x + 3 * y) % 7), 110.0 * f64::from(y)];
+    let ids: Vec<_> = cells.clone().map(|cell| draft.junction(at(cell), Control::Signals)).collect();
+    for (x, y) in cells {
+        let here = (y * count + x) as usize;
+        for (next, there, line) in [(x + 1, here + 1, y), (y + 1, here + count as usize, x)] {
+            let (class, limit) =
+                if line % 4 == 0 { (RoadClass::Secondary, 13.9) } else { (RoadClass::Residential, 8.3) };
+            let side = vec![Strip::driving(3.0, limit), Strip::pavement(2.4)];
+            if next < count {
+                draft.road(
+                    ids[here],
+                    ids[there],
+                    class,
+                    CrossSection { forward: side.clone(), backward: side, median: 0.0 },
+                );
+            }
+        }
+    }
+    Ok(draft.build()?)
+}
+
+fn print(map: &StreetMap, account: &str) {
+    let rows = [
+        ("junctions", map.junctions().len()),
+        ("of them with lights", map.signals().len()),
+        ("roads", map.roads().len()),
+        ("lanes", map.lanes().len()),
+        ("movements", map.movements().len()),
+        ("crossings", map.crossings().len()),
+        ("buildings", map.buildings().len()),
+        ("doors", map.entrances().len()),
+        ("areas", map.areas().len()),
+        ("stops", map.stops().len()),
+        ("parking bays", map.bays().len()),
+    ];
+    rows.iter().for_each(|(what, count)| println!("{count:7}  {what}"));
+    let drives = map.length_of(|lane, road| lane.users.any(Users::CAR | Users::BUS) && road.draft.class.is_through());
+    println!("{:7.2}  km of lanes for through traffic", drives / 1000.0);
+    let parts = map.walk_parts();
+    let all: f64 = parts.iter().map(|(_, metres)| metres).sum();
+    let main = parts.first().map_or(0.0, |(_, metres)| *metres);
+    println!("{:7.2}  km to walk, {:.1} % in one piece", all / 1000.0, 100.0 * main / all.max(1.0));
+    println!("{:7}  values guessed", account.lines().filter(|line| line.starts_with("guessed")).count());
+    println!("{:7}  elements dropped", account.lines().filter(|line| line.starts_with("dropped")).count());
+    let mut kinds: BTreeMap<String, usize> = BTreeMap::new();
+    for violation in map.validate() {
+        let kind = format!("{violation:?}");
+        *kinds.entry(kind.split([' ', '{']).next().unwrap_or_default().to_owned()).or_default() += 1;
+    }
+    kinds.iter().for_each(|(kind, count)| println!("{count:7}  violations: {kind}"));
+}
+
+/// Times routes between places all over the map.
+fn routes(map: &StreetMap) {
+    let ends: Vec<_> =
+        map.junctions().iter().filter(|junction| junction.draft.control != Control::Edge).map(|j| j.at).collect();
+    for mode in [Mode::Car, Mode::Bicycle, Mode::Foot] {
+        let begun = Instant::now();
+        let router = Router::new(map, mode);
+        let made = begun.elapsed();
+        let mut times = Vec::new();
+        let mut found = 0;
+        for index in 0..ends.len().min(500) {
+            let (from, to) = (ends[index * 7919 % ends.len()], ends[index * 104_729 % ends.len()]);
+            let begun = Instant::now();
+            found += usize::from(router.route(&from, &to).is_some());
+            times.push(begun.elapsed());
+        }
+        times.sort_unstable();
+        if let Some(median) = times.get(times.len() / 2) {
+            println!("{mode:?}: {found} of {} routes, median {median:.0?}, prepared in {made:.0?}", times.len());
+        }
+    }
+}
+
+fn write(
+    map: &StreetMap,
+    account: &str,
+    folder: &Path,
+    name: &str,
+    arguments: &Arguments,
+) -> Result<(), Box<dyn Error>> {
+    let drawing = match arguments.part.as_slice() {
+        [west, south, east, north] => Drawing::within(map, [[*west, *south].into(), [*east, *north].into()]),
+        _ => Drawing::of(map),
+    };
+    let put = |end: &str, text: &str| std::fs::write(folder.join(format!("{name}.{end}")), text);
+    put("svg", &drawing.svg(arguments.scale))?;
+    std::fs::write(folder.join(format!("{name}.png")), raster::png(&drawing, arguments.scale)?)?;
+    sumo::write(map, name).all().into_iter().try_for_each(|(end, text)| put(end, text))?;
+    put("xodr", &opendrive::write(map))?;
+    put("geojson", &geojson::write(map))?;
+    put("map.json", &native::write(map))?;
+    put("places.json", &skeleton::write(map)?)?;
+    let violations: Vec<String> = map
+        .validate()
+        .iter()
+        .map(|violation| {
+            let place = violation.place(map).map_or(String::new(), |at| format!(" at {:.1}, {:.1}", at.x, at.y));
+            format!("wrong    {violation}{place}\n")
+        })
+        .collect();
+    put("report.txt", &format!("{account}{}", violations.concat()))?;
+    Ok(())
+}

@@ -1,0 +1,143 @@
+//! Junctions: their arms in order, how far these are cut back, and outlines.
+
+use std::collections::BTreeSet;
+
+use nalgebra::Vector2;
+use vc_graph::portable::Portable;
+
+use super::MOST_ARMS;
+use crate::parts::{Arm, Junction, Road};
+use crate::signal::ConflictTable;
+use crate::{DrivingSide, JunctionId, MapDraft, MapError, Point, Polyline, RoadId};
+
+/// The direction of an arm is that of its point at this distance, metres.
+const LOOK: f64 = 12.0;
+/// No arm is cut back by more, metres.
+const FARTHEST_CUT: f64 = 30.0;
+/// Every arm is cut back by at least this, metres; where people cross, a crossing has to fit between two arms.
+const LEAST: f64 = 0.5;
+const CROSSED: f64 = 2.5;
+/// The part of a road that a junction can take.
+const LARGEST_PART: f64 = 0.4;
+
+pub(super) fn junctions(draft: &MapDraft, lines: &[Polyline]) -> Result<Vec<Junction>, MapError> {
+    let mut junctions: Vec<Junction> = draft
+        .junctions
+        .iter()
+        .map(|junction| Junction {
+            at: junction.at.into(),
+            draft: junction.clone(),
+            arms: Vec::new(),
+            movements: Vec::new(),
+            conflicts: ConflictTable::default(),
+            crossings: Vec::new(),
+            signal: None,
+            outline: Vec::new(),
+        })
+        .collect();
+    for (index, (road, line)) in draft.roads.iter().zip(lines).enumerate() {
+        for (start, id) in [(true, road.from), (false, road.to)] {
+            let junction = &mut junctions[id.index()];
+            junction.arms.push(Arm { road: RoadId::of(index), start, away: away(line, start, &junction.at) });
+        }
+    }
+    for (index, junction) in junctions.iter_mut().enumerate() {
+        if junction.arms.len() > MOST_ARMS {
+            let junction_id = JunctionId::of(index);
+            return Err(MapError::TooManyArms { junction: junction_id, arms: junction.arms.len(), most: MOST_ARMS });
+        }
+        junction.arms.sort_by(|a, b| angle(&a.away).total_cmp(&angle(&b.away)).then(a.road.cmp(&b.road)));
+    }
+    Ok(junctions)
+}
+
+/// The direction from the middle of a junction to a point a little along the road.
+fn away(line: &Polyline, start: bool, middle: &Point) -> Vector2<f64> {
+    let look = LOOK.min(line.length());
+    let point = line.at(if start { look } else { line.length() - look });
+    let along = if start { line.direction(0.0) } else { -line.direction(line.length()) };
+    (point - middle).try_normalize(0.1).unwrap_or(along)
+}
+
+fn angle(v: &Vector2<f64>) -> f64 {
+    v.y.angle_to(v.x)
+}
+
+/// How far the surface of a road reaches to the left and right of its line, seen along `away`, metres.
+fn reach(draft: &MapDraft, arm: &Arm) -> [f64; 2] {
+    let section = &draft.roads[arm.road.index()].section;
+    let forward = section.carriageway(true) - section.shift() + section.median / 2.0;
+    let backward = section.carriageway(false) + section.shift() + section.median / 2.0;
+    // Traffic that drives on the right goes along the line on its right.
+    let (left, right) =
+        if (draft.side == DrivingSide::Right) == arm.start { (backward, forward) } else { (forward, backward) };
+    [left, right]
+}
+
+/// The lengths that junctions take from the start and end of each road.
+pub(super) fn cuts(draft: &MapDraft, lines: &[Polyline], junctions: &[Junction]) -> Vec<[f64; 2]> {
+    let mut cuts = vec![[0.0; 2]; draft.roads.len()];
+    let crossed: BTreeSet<JunctionId> = draft.crossings.iter().map(|crossing| crossing.at).collect();
+    for (id, junction) in junctions.iter().enumerate().filter(|(_, junction)| junction.arms.len() > 1) {
+        let street = |arm: &&Arm| draft.roads[arm.road.index()].class.is_street();
+        let walked = junction.arms.iter().any(|arm| !street(&arm)) || crossed.contains(&JunctionId::of(id));
+        for (index, arm) in junction.arms.iter().enumerate() {
+            let line = &lines[arm.road.index()];
+            let begin = if arm.start { line.start() } else { line.end() };
+            let along = (begin - junction.at).dot(&arm.away).max(0.0);
+            let least = if walked && street(&arm) { CROSSED } else { LEAST };
+            let cut = (cut(draft, junction, index) - along).clamp(least, FARTHEST_CUT);
+            cuts[arm.road.index()][usize::from(!arm.start)] = cut.min(line.length() * LARGEST_PART);
+        }
+    }
+    cuts
+}
+
+/// How far from the middle an arm meets neither of its neighbours any more.
+fn cut(draft: &MapDraft, junction: &Junction, index: usize) -> f64 {
+    let arms = &junction.arms;
+    let (arm, count) = (&arms[index], arms.len());
+    let street = |arm: &Arm| draft.roads[arm.road.index()].class.is_street();
+    let corner = if arms.iter().filter(|arm| street(arm)).count() > 2 && street(arm) { 1.5 } else { 0.0 };
+    let other = |other: &Arm, left: bool| {
+        if !street(other) && street(arm) {
+            return 0.0;
+        }
+        let (mine, theirs) = (reach(draft, arm), reach(draft, other));
+        let (mine, theirs) = if left { (mine[0], theirs[1]) } else { (mine[1], theirs[0]) };
+        let (cosine, sine) = (arm.away.dot(&other.away), arm.away.perp(&other.away).abs());
+        // Roads that go on straight, or nearly lie on each other, do not meet at a corner.
+        if sine < 0.3 {
+            return if cosine > 0.0 { FARTHEST_CUT / 2.0 } else { 0.0 };
+        }
+        (theirs + mine * cosine) / sine + corner
+    };
+    other(&arms[(index + 1) % count], true).max(other(&arms[(index + count - 1) % count], false))
+}
+
+/// Outlines: the corners of the cut ends, counter-clockwise.
+pub(super) fn outlines(junctions: &mut [Junction], roads: &[Road]) {
+    for junction in junctions {
+        let corners = junction.arms.iter().flat_map(|arm| {
+            let road = &roads[arm.road.index()];
+            let [left, right] = edges(road, arm.start);
+            [right, left]
+        });
+        let ring: Vec<Point> = corners.collect();
+        if ring.len() >= 4 {
+            junction.outline = ring;
+        }
+    }
+}
+
+/// The left and right corner of the cut end of a road, seen away from the junction.
+fn edges(road: &Road, start: bool) -> [Point; 2] {
+    let station = if start { road.cuts[0] } else { road.line.length() - road.cuts[1] };
+    let at = road.line.at(station);
+    let along = road.line.direction(station) * if start { 1.0 } else { -1.0 };
+    let normal = Vector2::new(-along.y, along.x);
+    let half =
+        (road.draft.section.carriageway(true) + road.draft.section.carriageway(false) + road.draft.section.median)
+            / 2.0;
+    [at + normal * half, at - normal * half]
+}

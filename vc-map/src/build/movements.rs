@@ -1,0 +1,294 @@
+//! Movements: which lane goes on with which, by the marks on the lanes or by rule.
+
+use std::collections::BTreeSet;
+
+use crate::parts::{Arm, Junction, Lane, Movement, Road, Turn};
+use crate::polyline::turn;
+use crate::{DrivingSide, JunctionId, LaneId, MapDraft, MovementId, RoadId, Turns, Users};
+
+/// Turns of less than this are straight on: its sine, for 35 degrees.
+const STRAIGHT: f64 = 0.574;
+/// The cosine beyond which a turn leads back, for 160 degrees.
+const BACK: f64 = -0.94;
+/// Trams and trains turn by less than this: its cosine, for 60 degrees.
+const SWITCH: f64 = 0.5;
+
+/// Fills in the movements of all junctions, and those of each lane.
+pub(super) fn movements(
+    draft: &MapDraft,
+    junctions: &mut [Junction],
+    roads: &[Road],
+    lanes: &mut [Lane],
+) -> Vec<Movement> {
+    let bans: BTreeSet<(RoadId, JunctionId, RoadId)> =
+        draft.bans.iter().map(|ban| (ban.from, ban.at, ban.to)).collect();
+    let mut all = Vec::new();
+    for (index, junction) in junctions.iter_mut().enumerate() {
+        let at = Crossroads { id: JunctionId::of(index), junction, roads, lanes, bans: &bans, side: draft.side };
+        let found = at.movements();
+        for movement in found {
+            let id = MovementId::of(all.len());
+            junction.movements.push(id);
+            lanes[movement.from.index()].next.push(id);
+            lanes[movement.to.index()].before.push(id);
+            all.push(movement);
+        }
+    }
+    all
+}
+
+struct Crossroads<'a> {
+    id: JunctionId,
+    junction: &'a Junction,
+    roads: &'a [Road],
+    lanes: &'a [Lane],
+    bans: &'a BTreeSet<(RoadId, JunctionId, RoadId)>,
+    side: DrivingSide,
+}
+
+/// An arm that one can leave by, with its direction seen from the arm that one comes from.
+struct Target {
+    arm: usize,
+    turn: Turn,
+    /// How far it turns to the left, as a number that grows with the angle, -2 to 2.
+    leftward: f64,
+}
+
+impl Crossroads<'_> {
+    fn movements(&self) -> Vec<Movement> {
+        let mut found = Vec::new();
+        let mut joined: BTreeSet<(LaneId, LaneId)> = BTreeSet::new();
+        for from in 0..self.junction.arms.len() {
+            let targets = self.targets(from);
+            // A way that was found for cars is one for all who may use both lanes; others are for those they were found for.
+            for (users, open) in [
+                (Users::CAR, Users::TRAFFIC | Users::RAILS),
+                (Users::BUS, Users::BUS | Users::BICYCLE),
+                (Users::BICYCLE, Users::BICYCLE),
+                (Users::TRAM, Users::TRAM),
+                (Users::TRAIN, Users::TRAIN),
+            ] {
+                for (one, other, turn) in self.pairs(from, &targets, users) {
+                    let there = found.iter().any(|known: &Movement| self.serves(known, one, other, users));
+                    if !there && joined.insert((one, other)) {
+                        found.extend(self.movement(one, other, turn, open));
+                    }
+                }
+            }
+        }
+        found
+    }
+
+    /// Whether a movement takes some users from a lane to the road of another already; lanes of their own are always joined.
+    fn serves(&self, known: &Movement, from: LaneId, to: LaneId, users: Users) -> bool {
+        let (onto, lane) = (&self.lanes[known.to.index()], &self.lanes[to.index()]);
+        let own = users == Users::BICYCLE && !lane.users.has(Users::CAR);
+        let same = onto.road == lane.road && onto.forward == lane.forward;
+        known.from == from && known.users.has(users) && same && users != Users::CAR && !own
+    }
+
+    fn movement(&self, from: LaneId, to: LaneId, direction: Turn, open: Users) -> Option<Movement> {
+        let (one, other) = (&self.lanes[from.index()], &self.lanes[to.index()]);
+        let (end, start) = (one.line.length(), 0.0);
+        let line = turn(one.line.end(), one.line.direction(end), other.line.start(), other.line.direction(start));
+        // Lanes that meet have a movement as well, of the smallest length.
+        let line = line.or_else(|| {
+            let at = one.line.end();
+            crate::Polyline::new([at, at + one.line.direction(end) * 0.01])
+        })?;
+        let users = one.users.and(other.users).and(open);
+        Some(Movement { junction: self.id, from, to, turn: direction, line, users, yields: Vec::new() })
+    }
+
+    /// The lanes of an arm for some users, from the divider outward: those that come in, or those that go out.
+    fn ways(&self, arm: &Arm, incoming: bool, users: Users) -> Vec<LaneId> {
+        let comes = |lane: &Lane| (lane.forward != arm.start) == incoming;
+        let road = &self.roads[arm.road.index()];
+        road.lanes
+            .iter()
+            .copied()
+            .filter(|id| {
+                let lane = &self.lanes[id.index()];
+                comes(lane) && lane.users.any(users)
+            })
+            .collect()
+    }
+
+    /// Whether vehicles can only go back: no other arm leads on for them, whatever paths may.
+    fn is_dead_end(&self, from: usize) -> bool {
+        let leads = |arm: &Arm| !self.ways(arm, false, Users::CAR | Users::BUS).is_empty();
+        let others = self.junction.arms.iter().enumerate().filter(|(arm, _)| *arm != from);
+        self.junction.draft.control != crate::Control::Edge && !others.map(|(_, arm)| arm).any(leads)
+    }
+
+    /// The arms by which one can go on, from the left to the right.
+    fn targets(&self, from: usize) -> Vec<Target> {
+        let arms = &self.junction.arms;
+        let came = -arms[from].away;
+        let alone = self.is_dead_end(from);
+        let mut targets: Vec<Target> = (0..arms.len())
+            .filter_map(|arm| {
+                let banned = self.bans.contains(&(arms[from].road, self.id, arms[arm].road));
+                if banned || (arm == from && !alone) {
+                    return None;
+                }
+                let (cosine, sine) = (came.dot(&arms[arm].away), came.perp(&arms[arm].away));
+                let leftward = if cosine >= 0.0 {
+                    sine
+                } else if sine >= 0.0 {
+                    2.0 - sine
+                } else {
+                    -2.0 - sine
+                };
+                let turn = match () {
+                    () if arm == from || cosine < BACK => Turn::Back,
+                    () if cosine > 0.0 && sine.abs() < STRAIGHT => Turn::Through,
+                    () if sine > 0.0 => Turn::Left,
+                    () => Turn::Right,
+                };
+                Some(Target { arm, turn, leftward })
+            })
+            .collect();
+        targets.sort_by(|a, b| b.leftward.total_cmp(&a.leftward).then(a.arm.cmp(&b.arm)));
+        self.straighten(from, targets)
+    }
+
+    /// Where nothing goes straight on, or only back, the arm that turns least stands for it.
+    fn straighten(&self, from: usize, mut targets: Vec<Target>) -> Vec<Target> {
+        if targets.len() > 1 {
+            // One turns back only where there is nothing else.
+            let ahead = |target: &Target| target.turn != Turn::Back && !self.outgoing(target).is_empty();
+            if targets.iter().any(ahead) {
+                targets.retain(|target| target.turn != Turn::Back);
+            }
+        }
+        // A street that bends goes on.
+        if self.junction.arms.len() == 2 && targets.len() == 1 && targets[0].arm != from {
+            targets[0].turn = Turn::Through;
+        }
+        targets
+    }
+
+    fn outgoing(&self, target: &Target) -> Vec<LaneId> {
+        self.ways(&self.junction.arms[target.arm], false, Users::CAR | Users::BUS)
+    }
+
+    /// The pairs of lanes for some users from one arm to all others.
+    fn pairs(&self, from: usize, targets: &[Target], users: Users) -> Vec<(LaneId, LaneId, Turn)> {
+        let incoming = self.ways(&self.junction.arms[from], true, users);
+        let open: Vec<(&Target, Vec<LaneId>)> = targets
+            .iter()
+            .map(|target| (target, self.ways(&self.junction.arms[target.arm], false, users)))
+            .filter(|(target, out)| !out.is_empty() && self.bends(from, target, users))
+            .collect();
+        if incoming.is_empty() || open.is_empty() {
+            return Vec::new();
+        }
+        if users == Users::BICYCLE {
+            return bicycles(self.lanes, &incoming, &open);
+        }
+        let mut pairs = Vec::new();
+        for (target, out) in &open {
+            let chosen = self.chosen(&incoming, &open, target);
+            pairs.extend(
+                matched(&chosen, out, self.crosses_divider(target.turn)).into_iter().map(|(a, b)| (a, b, target.turn)),
+            );
+        }
+        // No lane ends at a junction without a way on.
+        for lane in &incoming {
+            if !pairs.iter().any(|(from, ..)| from == lane) {
+                let nearest = open.iter().min_by(|a, b| a.0.leftward.abs().total_cmp(&b.0.leftward.abs()));
+                let position = incoming.iter().position(|other| other == lane).unwrap_or(0);
+                pairs.extend(nearest.map(|(target, out)| (*lane, out[position.min(out.len() - 1)], target.turn)));
+            }
+        }
+        pairs
+    }
+
+    /// Whether rails can bend that much; vehicles on tyres always can.
+    fn bends(&self, from: usize, target: &Target, users: Users) -> bool {
+        let arms = &self.junction.arms;
+        !users.any(Users::RAILS) || -arms[from].away.dot(&arms[target.arm].away) > SWITCH
+    }
+
+    /// The lanes from which one may go to a target: as marked, else by rule.
+    fn chosen(&self, incoming: &[LaneId], open: &[(&Target, Vec<LaneId>)], target: &Target) -> Vec<LaneId> {
+        let marked: Vec<Turns> = incoming.iter().map(|lane| self.lanes[lane.index()].turns).collect();
+        let flag = match target.turn {
+            Turn::Through => Turns::THROUGH,
+            Turn::Left => Turns::LEFT,
+            Turn::Right => Turns::RIGHT,
+            Turn::Back => Turns::BACK,
+        };
+        let by_mark =
+            |lanes: &mut dyn Iterator<Item = usize>| lanes.filter(|i| marked[*i].any(flag)).collect::<Vec<_>>();
+        let mut picked = by_mark(&mut (0..incoming.len()));
+        let unmarked: Vec<usize> = (0..incoming.len()).filter(|i| marked[*i].is_empty()).collect();
+        if !unmarked.is_empty() {
+            picked.extend(self.by_rule(&unmarked, open, target, !picked.is_empty()));
+            picked.sort_unstable();
+        }
+        if picked.is_empty() && !open.iter().any(|(other, _)| self.marks(&marked, other)) {
+            picked = (0..incoming.len()).collect();
+        }
+        picked.into_iter().map(|index| incoming[index]).collect()
+    }
+
+    fn marks(&self, marked: &[Turns], target: &Target) -> bool {
+        let flag = match target.turn {
+            Turn::Through => Turns::THROUGH,
+            Turn::Left => Turns::LEFT,
+            Turn::Right => Turns::RIGHT,
+            Turn::Back => Turns::BACK,
+        };
+        marked.iter().any(|turns| turns.any(flag))
+    }
+
+    /// Straight on from every lane, turns from the lane on their side; without a way straight on, each side takes half.
+    fn by_rule(
+        &self,
+        lanes: &[usize],
+        open: &[(&Target, Vec<LaneId>)],
+        target: &Target,
+        has_marked: bool,
+    ) -> Vec<usize> {
+        let through = open.iter().any(|(other, _)| other.turn == Turn::Through);
+        let towards_divider = self.crosses_divider(target.turn);
+        let count = lanes.len();
+        match target.turn {
+            Turn::Through => lanes.to_vec(),
+            _ if has_marked => Vec::new(),
+            _ if through || open.len() > 2 => {
+                let side = if towards_divider { lanes.first() } else { lanes.last() };
+                side.copied().into_iter().collect()
+            }
+            _ if open.len() == 1 => lanes.to_vec(),
+            _ if towards_divider => lanes[..count.div_ceil(2)].to_vec(),
+            _ => lanes[count / 2..].to_vec(),
+        }
+    }
+
+    /// Whether a turn leads over the divider: to the left for those who keep to the right.
+    fn crosses_divider(&self, turn: Turn) -> bool {
+        turn == Turn::Back || turn == if self.side == DrivingSide::Right { Turn::Left } else { Turn::Right }
+    }
+}
+
+/// Lanes matched with lanes, both from the divider outward: turns towards the divider from the inside, all others from
+/// the outside. Lanes that are too many end in the last one.
+fn matched(from: &[LaneId], to: &[LaneId], from_inside: bool) -> Vec<(LaneId, LaneId)> {
+    let last = to.len() - 1;
+    let inside = |index: usize| to[index.min(last)];
+    let outside = |index: usize| to[last - (from.len() - 1 - index).min(last)];
+    let pick = |index: usize| if from_inside { inside(index) } else { outside(index) };
+    from.iter().enumerate().map(|(index, lane)| (*lane, pick(index))).collect()
+}
+
+/// Bicycles go from lanes of their own, or else from the outermost lane, to the like.
+fn bicycles(lanes: &[Lane], incoming: &[LaneId], open: &[(&Target, Vec<LaneId>)]) -> Vec<(LaneId, LaneId, Turn)> {
+    let own = |ids: &[LaneId]| {
+        let own = ids.iter().copied().find(|id| !lanes[id.index()].users.has(Users::CAR));
+        own.or(ids.last().copied())
+    };
+    open.iter().filter_map(|(target, out)| Some((own(incoming)?, own(out)?, target.turn))).collect()
+}

@@ -1,0 +1,87 @@
+//! Connections and crossings.
+
+use std::collections::BTreeSet;
+use std::fmt::Display;
+
+use super::edges::{classes, name, number, side};
+use super::{Metres, NodeName};
+use crate::format::xml::Xml;
+use crate::parts::{Movement, RoadCrossing};
+use crate::{CrossingKind, RoadId, StreetMap, Users};
+
+/// The edges and lanes of a movement: from, to, and the numbers of the lanes.
+pub(super) fn ends(map: &StreetMap, movement: &Movement) -> Option<[String; 4]> {
+    let (road, forward, lane) = number(map, movement.from)?;
+    let (next, ahead, onto) = number(map, movement.to)?;
+    Some([name(road, forward), name(next, ahead), lane.to_string(), onto.to_string()])
+}
+
+/// The edges over which a crossing leads: not those on which people only walk.
+pub(super) fn crossed(map: &StreetMap, crossing: &RoadCrossing) -> String {
+    let mut edges = Vec::new();
+    for road in &crossing.roads {
+        let Some(found) = map.road(*road) else { continue };
+        let driven = |forward: &bool| {
+            side(map, found, *forward).iter().any(|(_, lane)| lane.users.without(Users::FOOT) != Users::NONE)
+        };
+        edges.extend([true, false].into_iter().filter(driven).map(|forward| name(*road, forward)));
+    }
+    edges.join(" ")
+}
+
+pub(super) fn connections(map: &StreetMap) -> String {
+    let mut xml = Xml::new("connections", &[]);
+    let mut left: BTreeSet<(RoadId, bool)> = BTreeSet::new();
+    for movement in map.movements() {
+        let Some([from, to, lane, onto]) = ends(map, movement) else { continue };
+        let lane_of = map.lane(movement.from);
+        left.extend(lane_of.map(|lane| (lane.road, lane.forward)));
+        let mut attributes: Vec<(&str, &dyn Display)> =
+            vec![("from", &from), ("to", &to), ("fromLane", &lane), ("toLane", &onto)];
+        let both = [movement.from, movement.to].into_iter().filter_map(|id| map.lane(id)).map(|lane| lane.users);
+        let both = both.reduce(Users::and).unwrap_or_default().without(Users::FOOT);
+        let allow = classes(movement.users);
+        if movement.users != both {
+            attributes.push(("allow", &allow));
+        }
+        xml.tag("connection", &attributes);
+    }
+    // An edge of which nothing is said would get connections by rule.
+    for (index, road) in map.roads().iter().enumerate() {
+        let id = RoadId::of(index);
+        for forward in [true, false] {
+            let driven = side(map, road, forward).iter().any(|(_, lane)| !lane.users.without(Users::FOOT).is_empty());
+            if driven && !left.contains(&(id, forward)) {
+                xml.tag("connection", &[("from", &name(id, forward))]);
+            }
+        }
+    }
+    let on_street = |road: &RoadId| map.road(*road).is_some_and(|road| road.draft.class.is_street());
+    // SUMO has no crossings over rails alone: people walk over these in its walking areas.
+    for crossing in map.crossings().iter().filter(|crossing| crossing.roads.iter().any(on_street)) {
+        let edges = crossed(map, crossing);
+        if !edges.is_empty() {
+            let node = NodeName(crossing.junction);
+            let row = row(map, crossing);
+            // SUMO asks for it where lights rule.
+            let priority = crossing.kind != CrossingKind::Unmarked || row.is_some();
+            let mut attributes: Vec<(&str, &dyn Display)> =
+                vec![("node", &node), ("edges", &edges), ("priority", &priority)];
+            let width = Metres(crossing.width);
+            attributes.push(("width", &width));
+            if let Some(row) = &row {
+                attributes.push(("linkIndex", row));
+            }
+            xml.tag("crossing", &attributes);
+        }
+    }
+    xml.finish()
+}
+
+/// The position of a crossing in the phases of its signal.
+fn row(map: &StreetMap, crossing: &RoadCrossing) -> Option<usize> {
+    let junction = map.junction(crossing.junction)?;
+    junction.signal?;
+    let position = junction.crossings.iter().position(|id| map.crossing(*id) == Some(crossing))?;
+    Some(junction.movements.len() + position)
+}

@@ -1,0 +1,126 @@
+//! SUMO's plain XML: files from which netconvert makes a network.
+//!
+//! Nodes, edges, connections and traffic lights follow SUMO's documentation ("Plain XML Network Descriptions"). Edges are
+//! `r3` along a road's line and `-r3` against it; lanes are counted from the outer edge; signals are `t7` at node `j7`.
+
+mod connections;
+mod edges;
+mod lights;
+
+use std::fmt::Display;
+
+use super::xml::Xml;
+use crate::{Control, DrivingSide, JunctionId, StreetMap};
+
+/// The files of a network for netconvert.
+///
+/// ```
+/// use vc_map::format::sumo;
+/// use vc_map::{Control, CrossSection, MapDraft, RoadClass, Strip};
+/// let mut draft = MapDraft::new("street", 0.0, 0.0);
+/// let ends = [[0.0, 0.0], [100.0, 0.0]].map(|at| draft.junction(at, Control::Priority));
+/// let section = CrossSection { forward: vec![Strip::driving(3.0, 8.3)], ..CrossSection::default() };
+/// draft.road(ends[0], ends[1], RoadClass::Residential, section);
+/// let files = sumo::write(&draft.build()?, "street");
+/// assert!(files.edges.contains(r#"<edge id="r0" from="j0" to="j1""#));
+/// # Ok::<(), vc_map::MapError>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct SumoFiles {
+    /// `NAME.nod.xml`.
+    pub nodes: String,
+    /// `NAME.edg.xml`.
+    pub edges: String,
+    /// `NAME.con.xml`: connections and crossings.
+    pub connections: String,
+    /// `NAME.tll.xml`: traffic lights.
+    pub lights: String,
+    /// `NAME.netccfg`: `netconvert -c NAME.netccfg` makes `NAME.net.xml` of the others.
+    pub config: String,
+}
+
+impl SumoFiles {
+    /// The files with the ends of their names.
+    pub fn all(&self) -> [(&'static str, &str); 5] {
+        let Self { nodes, edges, connections, lights, config } = self;
+        [("nod.xml", nodes), ("edg.xml", edges), ("con.xml", connections), ("tll.xml", lights), ("netccfg", config)]
+    }
+}
+
+/// Writes a map for netconvert, into files of a name. Lost are buildings, areas, stops, bays, verges and the lines of
+/// movements: netconvert makes its own.
+pub fn write(map: &StreetMap, name: &str) -> SumoFiles {
+    SumoFiles {
+        nodes: nodes(map),
+        edges: edges::edges(map),
+        connections: connections::connections(map),
+        lights: lights::lights(map),
+        config: config(map, name),
+    }
+}
+
+fn nodes(map: &StreetMap) -> String {
+    let mut xml = Xml::new("nodes", &[]);
+    for (index, junction) in map.junctions().iter().enumerate().filter(|(_, junction)| !junction.arms.is_empty()) {
+        let id = JunctionId::of(index);
+        let (x, y) = (Metres(junction.at.x), Metres(junction.at.y));
+        let kind = match junction.draft.control {
+            Control::Signals if junction.signal.is_some() => "traffic_light",
+            Control::AllWayStop => "allway_stop",
+            _ => "priority",
+        };
+        let name = NodeName(id);
+        let mut attributes: Vec<(&str, &dyn Display)> = vec![("id", &name), ("x", &x), ("y", &y), ("type", &kind)];
+        let light = LightName(id);
+        if kind == "traffic_light" {
+            attributes.push(("tl", &light));
+        }
+        xml.tag("node", &attributes);
+    }
+    xml.finish()
+}
+
+fn config(map: &StreetMap, name: &str) -> String {
+    let mut xml = Xml::new("configuration", &[]);
+    let mut value = |key: &str, value: &str| xml.tag(key, &[("value", &value)]);
+    value("node-files", &format!("{name}.nod.xml"));
+    value("edge-files", &format!("{name}.edg.xml"));
+    value("connection-files", &format!("{name}.con.xml"));
+    value("tllogic-files", &format!("{name}.tll.xml"));
+    value("output-file", &format!("{name}.net.xml"));
+    // Our connections are all that there are.
+    value("no-turnarounds", "true");
+    value("offset.disable-normalization", "true");
+    if map.side() == DrivingSide::Left {
+        value("lefthand", "true");
+    }
+    xml.finish()
+}
+
+/// Metres to the centimetre.
+struct Metres(f64);
+
+impl Display for Metres {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{:.2}", self.0)
+    }
+}
+
+/// The name of a node.
+struct NodeName(JunctionId);
+
+impl Display for NodeName {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "j{}", self.0.0)
+    }
+}
+
+/// The name of a traffic light.
+struct LightName(JunctionId);
+
+impl Display for LightName {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "t{}", self.0.0)
+    }
+}

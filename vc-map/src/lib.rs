@@ -1,0 +1,39 @@
+#![doc = include_str!("../FRONT.md")]
+#![warn(clippy::disallowed_methods)]
+
+mod build;
+mod draft;
+mod error;
+pub mod format;
+mod geo;
+mod id;
+mod index;
+mod map;
+pub mod osm;
+mod parts;
+pub mod picture;
+mod places;
+mod polyline;
+pub mod route;
+mod section;
+mod signal;
+mod users;
+pub mod validate;
+
+pub use draft::{
+    Control, CrossingDraft, CrossingKind, DrivingSide, JunctionDraft, MapDraft, Origin, RoadDraft, Structure, TurnBan,
+};
+pub use error::MapError;
+pub use id::{
+    BuildingId, CrossingId, EntranceId, JunctionId, LaneId, MovementId, RoadId, SignalId, WalkEdgeId, WalkNodeId,
+};
+pub use map::StreetMap;
+pub use parts::{
+    Arm, Bay, Entrance, Junction, Lane, Movement, Road, RoadCrossing, Stop, Turn, WalkEdge, WalkKind, WalkNode,
+};
+pub use places::{Area, AreaKind, Building, EntranceDraft, StopDraft, StopKind};
+pub use polyline::{Point, Polyline, Projection};
+pub use section::{CrossSection, RoadClass, Strip, StripKind};
+pub use signal::{ConflictTable, Light, Phase, Signal};
+pub use users::{Turns, Users};
+pub use validate::MapViolation;

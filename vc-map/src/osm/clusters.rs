@@ -1,0 +1,104 @@
+//! Clusters: nodes that are one junction for those who drive.
+
+use std::collections::BTreeMap;
+
+use petgraph::unionfind::UnionFind;
+
+use super::network::{Network, Piece};
+use crate::{CrossingKind, RoadClass};
+
+/// Junctions nearer than this are one, metres; SUMO joins those within 10 m.
+const NEAR: f64 = 12.0;
+/// Junctions of dual carriageways with lights are one up to this distance, metres.
+const DUAL: f64 = 24.0;
+/// A crossing belongs to the junction that is nearer than this, metres.
+const CROSSING: f64 = 20.0;
+/// No cluster is wider, metres.
+const WIDEST: f64 = 48.0;
+
+/// The cluster of each node at which pieces meet.
+pub(super) struct Clusters {
+    /// By node: the node of the cluster with the lowest position.
+    of: BTreeMap<u32, u32>,
+    /// By that node: all of its nodes.
+    pub(super) members: BTreeMap<u32, Vec<u32>>,
+}
+
+impl Clusters {
+    pub(super) fn of(&self, node: u32) -> u32 {
+        self.of.get(&node).copied().unwrap_or(node)
+    }
+}
+
+pub(super) fn clusters(network: &Network<'_>) -> Clusters {
+    let nodes: Vec<u32> = network.at.keys().copied().collect();
+    let position = |node: u32| nodes.binary_search(&node).unwrap_or(0);
+    let mut sets = UnionFind::<usize>::new(nodes.len());
+    let mut boxes: Vec<[f64; 4]> =
+        nodes.iter().map(|node| network.points[*node as usize]).map(|p| [p.x, p.y, p.x, p.y]).collect();
+    let mut links: Vec<(f64, u32, u32)> = network
+        .all()
+        .filter(|(_, piece)| piece.first() != piece.last() && joins(network, piece))
+        .map(|(_, piece)| (piece.length, piece.first(), piece.last()))
+        .collect();
+    links.sort_by(|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
+    for (_, one, other) in links {
+        let (one, other) = (sets.find_mut(position(one)), sets.find_mut(position(other)));
+        let (a, b) = (boxes[one], boxes[other]);
+        let around = [a[0].min(b[0]), a[1].min(b[1]), a[2].max(b[2]), a[3].max(b[3])];
+        if one != other && around[2] - around[0] <= WIDEST && around[3] - around[1] <= WIDEST {
+            sets.union(one, other);
+            boxes[sets.find_mut(one)] = around;
+        }
+    }
+    let mut clusters = Clusters { of: BTreeMap::new(), members: BTreeMap::new() };
+    let mut first: BTreeMap<usize, u32> = BTreeMap::new();
+    for (index, node) in nodes.iter().enumerate() {
+        let head = *first.entry(sets.find_mut(index)).or_insert(*node);
+        clusters.of.insert(*node, head);
+        clusters.members.entry(head).or_default().push(*node);
+    }
+    clusters
+}
+
+/// The number of directions in which one can drive away from or towards a node.
+pub(super) fn degree(network: &Network<'_>, node: u32) -> usize {
+    network.streets_at(node).filter(|(_, piece)| network.street(piece).class != RoadClass::Track).count()
+}
+
+/// Whether a piece of street lies within a junction.
+fn joins(network: &Network<'_>, piece: &Piece) -> bool {
+    let street = network.street(piece);
+    if !street.class.is_street() || street.roundabout || !network.is_ground(piece) {
+        return false;
+    }
+    let [one, other] = piece.ends();
+    let real = |node: u32| degree(network, node) > 2;
+    let marks = |node: u32| network.marks.get(&node).copied().unwrap_or_default();
+    let lights = |node: u32| marks(node).signals || marks(node).crossing == Some(CrossingKind::Signals);
+    let rounds = |node: u32| network.streets_at(node).any(|(_, piece)| network.street(piece).roundabout);
+    if rounds(one) || rounds(other) || street.class == RoadClass::Motorway {
+        return false;
+    }
+    let crossing = |node: u32| marks(node).crossing.is_some() || marks(node).signals;
+    match (real(one), real(other)) {
+        (true, true) => {
+            let one_way =
+                network.streets_at(one).chain(network.streets_at(other)).any(|(_, p)| !network.drives(p, false));
+            let dual = one_way && (around_lights(network, one) || around_lights(network, other));
+            piece.length < if dual { DUAL } else { NEAR }
+        }
+        (true, false) => crossing(other) && piece.length < CROSSING,
+        (false, true) => crossing(one) && piece.length < CROSSING,
+        (false, false) => crossing(one) && crossing(other) && piece.length < NEAR / 2.0 && lights(one) == lights(other),
+    }
+}
+
+/// Whether a node has lights or the next nodes along its streets have.
+fn around_lights(network: &Network<'_>, node: u32) -> bool {
+    let lights = |node: u32| {
+        network.marks.get(&node).is_some_and(|marks| marks.signals || marks.crossing == Some(CrossingKind::Signals))
+    };
+    let beyond = |(_, piece): (usize, &Piece)| piece.length < DUAL && piece.ends().into_iter().any(lights);
+    lights(node) || network.streets_at(node).any(beyond)
+}

@@ -1,0 +1,77 @@
+//! OpenStreetMap in: XML and PBF to a [`MapDraft`], with everything that was guessed and dropped.
+//!
+//! ```
+//! use vc_map::osm::{ImportOptions, OsmData};
+//! let file = br#"<osm version="0.6">
+//!   <node id="1" lat="48.1000" lon="11.5000"/>
+//!   <node id="2" lat="48.1010" lon="11.5000"/>
+//!   <way id="7"><nd ref="1"/><nd ref="2"/><tag k="highway" v="residential"/></way>
+//! </osm>"#;
+//! let (draft, report) = OsmData::from_xml(file)?.draft(&ImportOptions::default())?;
+//! let map = draft.build()?;
+//! // A lane and a pavement in each direction.
+//! assert_eq!(map.lanes().len(), 4);
+//! assert!(report.to_string().contains("guessed  way 7: limit 30 km/h"));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod clusters;
+mod data;
+mod emit;
+mod error;
+mod lanes;
+mod network;
+mod pavements;
+mod pbf;
+mod places;
+mod report;
+mod restrictions;
+mod rings;
+mod side;
+mod signals;
+mod street;
+mod wire;
+mod xml;
+
+pub use data::{Element, OsmData};
+pub use error::OsmError;
+pub use report::{Guessed, ImportReport, Reason};
+
+use crate::{DrivingSide, MapDraft};
+
+/// The largest file that is read, bytes.
+pub const LARGEST: usize = 1 << 30;
+
+/// How a map is made of OpenStreetMap's data.
+#[derive(Debug, Clone, Default)]
+pub struct ImportOptions {
+    /// The map's name.
+    pub name: String,
+    /// The side on which vehicles drive; without one it is guessed, from roundabouts or else from the place.
+    pub side: Option<DrivingSide>,
+}
+
+impl OsmData {
+    /// A map of this data, and the account of what was guessed and dropped.
+    ///
+    /// # Errors
+    /// [`OsmError::Empty`] if no way has nodes.
+    pub fn draft(&self, options: &ImportOptions) -> Result<(MapDraft, ImportReport), OsmError> {
+        let mut report = ImportReport::default();
+        let frame = self.frame().ok_or(OsmError::Empty)?;
+        let side = self.side(options.side, &mut report);
+        let mut draft = MapDraft::new(options.name.clone(), frame.origin.latitude, frame.origin.longitude);
+        draft.side = side;
+        let points: Vec<_> = self.nodes.iter().map(|node| frame.point(node.degrees())).collect();
+        let mut network = network::Network::new(self, &points, side, &mut report);
+        network.merge();
+        let clusters = clusters::clusters(&network);
+        let signals = signals::signals(&network, &clusters, &mut report);
+        emit::emit(&network, &clusters, &signals, &mut draft, &mut report);
+        restrictions::bans(self, &network, &mut draft, &mut report);
+        places::places(self, &points, &mut draft, &mut report);
+        self.unused(&draft, &mut report);
+        report.close();
+        Ok((draft, report))
+    }
+}

@@ -1,0 +1,229 @@
+//! The parts of a built map.
+
+use nalgebra::Vector2;
+
+use crate::{
+    BuildingId, ConflictTable, CrossingId, CrossingKind, JunctionDraft, JunctionId, LaneId, MovementId, Point,
+    Polyline, RoadDraft, RoadId, SignalId, StripKind, Turns, Users, WalkEdgeId, WalkNodeId,
+};
+
+/// A road of a map.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Road {
+    /// Its description.
+    pub draft: RoadDraft,
+    /// The middle of its carriageway, from junction to junction.
+    pub line: Polyline,
+    /// How far its lanes keep away from the start and the end of its line, metres: the junctions lie there.
+    pub cuts: [f64; 2],
+    /// Its lanes: those along the line from the divider outward, then those against it.
+    pub lanes: Vec<LaneId>,
+}
+
+/// A strip of a road that somebody uses, in the direction of travel.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Lane {
+    /// Its road.
+    pub road: RoadId,
+    /// Whether it runs along the road's line.
+    pub forward: bool,
+    /// Its position among the strips of its side, from the divider outward.
+    pub index: usize,
+    /// Its kind.
+    pub kind: StripKind,
+    /// Its width, metres.
+    pub width: f64,
+    /// Who may use it.
+    pub users: Users,
+    /// Its speed limit, metres per second.
+    pub limit: f64,
+    /// The directions that are marked on it.
+    pub turns: Turns,
+    /// Its middle, in the direction of travel.
+    pub line: Polyline,
+    /// The next lane of the same side towards the divider.
+    pub inner: Option<LaneId>,
+    /// The next lane of the same side away from the divider.
+    pub outer: Option<LaneId>,
+    /// The movements by which one goes on at its end.
+    pub next: Vec<MovementId>,
+    /// The movements by which one comes to its start.
+    pub before: Vec<MovementId>,
+    /// The station at which vehicles wait, metres; `None` where they need not.
+    pub stop_line: Option<f64>,
+}
+
+/// An end of a road at a junction.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct Arm {
+    /// The road.
+    pub road: RoadId,
+    /// Whether it is the start of the road's line.
+    pub start: bool,
+    /// The direction in which the road leaves, a unit vector.
+    pub away: Vector2<f64>,
+}
+
+/// A junction of a map.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Junction {
+    /// Its description.
+    pub draft: JunctionDraft,
+    /// Its middle.
+    pub at: Point,
+    /// The ends of roads, counter-clockwise.
+    pub arms: Vec<Arm>,
+    /// Its movements.
+    pub movements: Vec<MovementId>,
+    /// Which movements and crossings are in each other's way.
+    pub conflicts: ConflictTable,
+    /// The crossings over its arms.
+    pub crossings: Vec<CrossingId>,
+    /// Its signal.
+    pub signal: Option<SignalId>,
+    /// Its outline, counter-clockwise; empty if fewer than three points.
+    pub outline: Vec<Point>,
+}
+
+/// The direction of a movement.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Turn {
+    /// Straight on.
+    Through,
+    /// To the left.
+    Left,
+    /// To the right.
+    Right,
+    /// Back.
+    Back,
+}
+
+/// A way over a junction, from the end of a lane to the start of another.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Movement {
+    /// The junction.
+    pub junction: JunctionId,
+    /// The lane that one comes from.
+    pub from: LaneId,
+    /// The lane that one goes on with.
+    pub to: LaneId,
+    /// Its direction.
+    pub turn: Turn,
+    /// Its line; its length is the length of the junction's interior.
+    pub line: Polyline,
+    /// Who may go.
+    pub users: Users,
+    /// The movements of its junction to which it gives way where no signal rules, by their positions there.
+    pub yields: Vec<u16>,
+}
+
+/// A crossing over an end of a road.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct RoadCrossing {
+    /// The junction at which it is.
+    pub junction: JunctionId,
+    /// The roads that it crosses: two of a dual carriageway.
+    pub roads: Vec<RoadId>,
+    /// How it is marked.
+    pub kind: CrossingKind,
+    /// Whether there is an island in its middle.
+    pub island: bool,
+    /// Its middle, from kerb to kerb.
+    pub line: Polyline,
+    /// Its width, metres.
+    pub width: f64,
+    /// Its ends in the walkable network: the kerb ramps.
+    pub ramps: [WalkNodeId; 2],
+    /// Whether it was guessed.
+    pub guessed: bool,
+}
+
+/// A place of the walkable network: a corner, a ramp, the end of a path.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct WalkNode {
+    /// Its place.
+    pub at: Point,
+    /// The junction at which it is.
+    pub junction: JunctionId,
+}
+
+/// The ground of an edge of the walkable network.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[non_exhaustive]
+pub enum WalkKind {
+    /// The pavement of a road, or a path: a lane.
+    Lane(LaneId),
+    /// The edge of a carriageway without pavements.
+    Shared(RoadId),
+    /// The corner of a junction.
+    Corner(JunctionId),
+    /// A crossing.
+    Crossing(CrossingId),
+}
+
+/// An edge of the walkable network, walked both ways.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct WalkEdge {
+    /// Its ends.
+    pub ends: [WalkNodeId; 2],
+    /// Its ground.
+    pub kind: WalkKind,
+    /// Its line, from the first end to the second.
+    pub line: Polyline,
+    /// Whether it is steps.
+    pub steps: bool,
+}
+
+/// A door of a building and the point of the walkable network before it.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Entrance {
+    /// The building.
+    pub building: BuildingId,
+    /// The door.
+    pub door: Point,
+    /// The edge of the walkable network before the door, if there is a network.
+    pub edge: Option<WalkEdgeId>,
+    /// Where on that edge, metres from its first end.
+    pub station: f64,
+    /// Whether the door was guessed.
+    pub guessed: bool,
+}
+
+/// A parking bay along a road.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct Bay {
+    /// The lane of bays.
+    pub lane: LaneId,
+    /// Its middle.
+    pub at: Point,
+    /// The heading of a vehicle that stands in it, radians.
+    pub heading: f64,
+    /// Its length and width, metres.
+    pub size: [f64; 2],
+}
+
+/// A stop with the lanes before it.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Stop {
+    /// Its kind.
+    pub kind: crate::StopKind,
+    /// Its name.
+    pub name: Option<String>,
+    /// Where people wait.
+    pub at: Point,
+    /// The lane in which vehicles stop and the station there, if one is near.
+    pub lane: Option<(LaneId, f64)>,
+    /// The edge of the walkable network before it, and the station there.
+    pub walk: Option<(WalkEdgeId, f64)>,
+}

@@ -1,0 +1,144 @@
+//! The layers of a drawing, from the ground up.
+
+use super::legend::{
+    BRIDGE, BUILDING, BUS, CYCLE, DOOR, GREEN, LOT, PARKING, PATH, PAVEMENT, RAIL, ROAD, SQUARE, STEPS, STOP, TUNNEL,
+    WALL, WATER,
+};
+use super::{Colour, Drawing, Paint, Shape, marks};
+use crate::parts::{Lane, Road};
+use crate::{AreaKind, Point, RoadClass, RoadId, StreetMap, StripKind, Structure, Users, WalkKind};
+
+/// The width at which the corners of pavements are drawn, metres.
+const CORNER: f64 = 2.0;
+
+pub(super) fn draw(map: &StreetMap, drawing: &mut Drawing) {
+    areas(map, drawing);
+    let mut roads: Vec<usize> = (0..map.roads().len()).collect();
+    roads.sort_by_key(|index| (map.roads()[*index].draft.layer, *index));
+    let below = roads.iter().filter(|index| map.roads()[**index].draft.layer < 0);
+    below.for_each(|index| road(map, drawing, RoadId::of(*index)));
+    buildings(map, drawing);
+    for edge in map.walk_edges().iter().filter(|edge| matches!(edge.kind, WalkKind::Corner(_))) {
+        drawing.line(PAVEMENT, CORNER, edge.line.points());
+    }
+    let mut layer = None;
+    let above: Vec<usize> = roads.iter().copied().filter(|index| map.roads()[*index].draft.layer >= 0).collect();
+    for (position, index) in above.iter().enumerate() {
+        road(map, drawing, RoadId::of(*index));
+        let this = map.roads()[*index].draft.layer;
+        let last = above.get(position + 1).is_none_or(|next| map.roads()[*next].draft.layer != this);
+        if last && layer != Some(this) {
+            if this == 0 {
+                junctions(map, drawing);
+            }
+            marks::roads(map, drawing, this);
+            layer = Some(this);
+        }
+    }
+    marks::crossings(map, drawing);
+    marks::signals(map, drawing);
+    points(map, drawing);
+    marks::names(map, drawing);
+}
+
+fn ring(points: &[[f64; 2]]) -> Vec<Point> {
+    points.iter().map(|point| Point::from(*point)).collect()
+}
+
+fn areas(map: &StreetMap, drawing: &mut Drawing) {
+    let order =
+        [AreaKind::Lot, AreaKind::Green, AreaKind::Square, AreaKind::Parking, AreaKind::Platform, AreaKind::Water];
+    for kind in order {
+        let colour = match kind {
+            AreaKind::Green => GREEN,
+            AreaKind::Water => WATER,
+            AreaKind::Lot => LOT,
+            _ => SQUARE,
+        };
+        for area in map.areas().iter().filter(|area| area.kind == kind) {
+            let paths = std::iter::once(&area.outline).chain(&area.holes).map(|points| ring(points)).collect();
+            drawing.fill(colour, paths);
+        }
+    }
+}
+
+fn buildings(map: &StreetMap, drawing: &mut Drawing) {
+    for building in map.buildings().iter().filter(|building| building.base < 2.5) {
+        let paths: Vec<Vec<Point>> =
+            std::iter::once(&building.outline).chain(&building.courts).map(|points| ring(points)).collect();
+        for path in &paths {
+            let closed: Vec<Point> = path.iter().chain(path.first()).copied().collect();
+            drawing.line(WALL, 0.6, &closed);
+        }
+        drawing.fill(BUILDING, paths);
+    }
+}
+
+/// A road strip by strip.
+fn road(map: &StreetMap, drawing: &mut Drawing, id: RoadId) {
+    let Some(road) = map.road(id) else { return };
+    // Undergrounds would hide the streets above.
+    if road.draft.class.is_rail() && road.draft.structure == Structure::Tunnel {
+        return;
+    }
+    let section = &road.draft.section;
+    let width = section.carriageway(true) + section.carriageway(false) + section.median;
+    if road.draft.structure == Structure::Bridge {
+        // The middle of everything, pavements included, lies aside from that of the carriageway.
+        let aside = (section.side_width(true) - section.side_width(false)) / 2.0 - section.shift();
+        drawing.line(BRIDGE, section.width() + 1.2, road.line.offset(-map.side().sign() * aside).points());
+    }
+    if road.draft.class.is_street() {
+        let colour = if road.draft.structure == Structure::Tunnel { TUNNEL } else { ROAD };
+        let middle = road.line.part(road.cuts[0] * 0.8, road.line.length() - road.cuts[1] * 0.8);
+        drawing.line(colour, width, middle.as_ref().unwrap_or(&road.line).points());
+    }
+    for lane in road.lanes.iter().filter_map(|id| map.lane(*id)) {
+        if let Some(colour) = colour(road, lane) {
+            drawing.line(colour, lane.width, lane.line.points());
+        }
+    }
+}
+
+/// The colour of a lane; lanes for all vehicles have that of the carriageway.
+fn colour(road: &Road, lane: &Lane) -> Option<Colour> {
+    match lane.kind {
+        StripKind::Driving if lane.users.has(Users::CAR) => None,
+        StripKind::Driving => Some(BUS),
+        StripKind::Cycle => Some(CYCLE),
+        StripKind::Parking => Some(PARKING),
+        StripKind::Pavement => Some(PAVEMENT),
+        StripKind::Verge => Some(GREEN),
+        StripKind::Track => Some(RAIL),
+        StripKind::Path => Some(match road.draft.class {
+            RoadClass::Steps => STEPS,
+            RoadClass::Cycleway => CYCLE,
+            _ => PATH,
+        }),
+    }
+}
+
+/// The surfaces of junctions at which streets meet: a disc under each and the ways over it.
+fn junctions(map: &StreetMap, drawing: &mut Drawing) {
+    for movement in map.movements().iter().filter(|movement| movement.users.any(Users::CAR | Users::BUS)) {
+        let lane = map.lane(movement.from).filter(|lane| map.road(lane.road).is_some_and(|road| road.draft.layer == 0));
+        if let Some(lane) = lane {
+            let paint = Paint::Line { colour: ROAD, width: lane.width + 0.4, dash: None, round: true };
+            drawing.shapes.push(Shape { paths: vec![movement.line.points().to_vec()], paint });
+        }
+    }
+}
+
+fn points(map: &StreetMap, drawing: &mut Drawing) {
+    for entrance in map.entrances() {
+        drawing.fill(DOOR, vec![square(&entrance.door, 0.8)]);
+    }
+    for stop in map.stops() {
+        drawing.fill(STOP, vec![square(&stop.at, 1.6)]);
+    }
+}
+
+/// A square around a point.
+pub(super) fn square(at: &Point, half: f64) -> Vec<Point> {
+    [[-half, -half], [half, -half], [half, half], [-half, half]].map(|[x, y]| Point::new(at.x + x, at.y + y)).to_vec()
+}

@@ -1,0 +1,150 @@
+//! Drawings as SVG.
+
+use std::fmt::Write;
+
+use super::{Colour, Drawing, GROUND, Paint, Text};
+use crate::Point;
+use crate::format::xml::Xml;
+
+/// The size of the legend's letters, pixels.
+const LETTERS: f64 = 13.0;
+
+fn hex([red, green, blue]: Colour) -> String {
+    format!("#{red:02x}{green:02x}{blue:02x}")
+}
+
+impl Drawing {
+    /// The drawing as SVG, with a scale in pixels for a metre: names can be read from 3 on.
+    pub fn svg(&self, scale: f64) -> String {
+        let [low, high] = self.bounds;
+        let (width, height) = ((high.x - low.x) * scale, (high.y - low.y) * scale);
+        let view = format!("0 0 {width:.1} {height:.1}");
+        let mut xml = Xml::new(
+            "svg",
+            &[
+                ("xmlns", &"http://www.w3.org/2000/svg"),
+                ("width", &format!("{width:.1}")),
+                ("height", &format!("{height:.1}")),
+                ("viewBox", &view),
+            ],
+        );
+        xml.text("title", &[], &self.title);
+        xml.tag("rect", &[("width", &"100%"), ("height", &"100%"), ("fill", &hex(GROUND))]);
+        for shape in &self.shapes {
+            let closed = matches!(shape.paint, Paint::Fill(_));
+            let path = self.path(&shape.paths, scale, closed);
+            match &shape.paint {
+                Paint::Fill(colour) => {
+                    xml.tag("path", &[("d", &path), ("fill", &hex(*colour)), ("fill-rule", &"evenodd")])
+                }
+                Paint::Line { colour, width, dash, round } => {
+                    let stroke = hex(*colour);
+                    let width = format!("{:.2}", width * scale);
+                    let dash =
+                        dash.map_or("none".to_owned(), |[on, off]| format!("{:.2} {:.2}", on * scale, off * scale));
+                    let cap = if *round { "round" } else { "butt" };
+                    xml.tag(
+                        "path",
+                        &[
+                            ("d", &path),
+                            ("fill", &"none"),
+                            ("stroke", &stroke),
+                            ("stroke-width", &width),
+                            ("stroke-dasharray", &dash),
+                            ("stroke-linecap", &cap),
+                            ("stroke-linejoin", &"round"),
+                        ],
+                    );
+                }
+            }
+        }
+        self.texts.iter().for_each(|text| self.write_text(&mut xml, text, scale));
+        self.write_legend(&mut xml, height, scale);
+        xml.finish()
+    }
+
+    /// A point in pixels from the upper left corner.
+    pub fn pixel(&self, point: &Point, scale: f64) -> [f64; 2] {
+        [(point.x - self.bounds[0].x) * scale, (self.bounds[1].y - point.y) * scale]
+    }
+
+    fn path(&self, paths: &[Vec<Point>], scale: f64, closed: bool) -> String {
+        let mut text = String::new();
+        for points in paths {
+            for (index, point) in points.iter().enumerate() {
+                let [x, y] = self.pixel(point, scale);
+                let _ = write!(text, "{}{x:.2} {y:.2}", if index == 0 { "M" } else { "L" });
+            }
+            if closed {
+                text.push('Z');
+            }
+        }
+        text
+    }
+
+    fn write_text(&self, xml: &mut Xml, text: &Text, scale: f64) {
+        let [x, y] = self.pixel(&text.at, scale);
+        let turn = format!("translate({x:.1} {y:.1}) rotate({:.1})", -text.heading.to_degrees());
+        let size = format!("{:.1}", text.size * scale);
+        xml.text(
+            "text",
+            &[
+                ("transform", &turn),
+                ("font-family", &"sans-serif"),
+                ("font-size", &size),
+                ("text-anchor", &"middle"),
+                ("fill", &hex(text.colour)),
+                ("stroke", &"#ffffff"),
+                ("stroke-width", &format!("{:.1}", 0.25 * text.size * scale)),
+                ("paint-order", &"stroke"),
+            ],
+            &text.text,
+        );
+    }
+
+    /// The legend in the lower left corner, with a scale of 50 m.
+    fn write_legend(&self, xml: &mut Xml, height: f64, scale: f64) {
+        let step = LETTERS * 1.4;
+        let tall = step * (self.legend.len() as f64 + 2.0);
+        let top = height - tall - 10.0;
+        xml.tag(
+            "rect",
+            &[
+                ("x", &10),
+                ("y", &format!("{top:.1}")),
+                ("width", &(60.0 + 50.0 * scale).max(230.0)),
+                ("height", &format!("{tall:.1}")),
+                ("fill", &"#ffffff"),
+                ("fill-opacity", &0.85),
+            ],
+        );
+        let line = |xml: &mut Xml, row: f64, text: &str| {
+            let y = format!("{:.1}", top + step * (row + 1.0) - 3.0);
+            xml.text(
+                "text",
+                &[("x", &42), ("y", &y), ("font-family", &"sans-serif"), ("font-size", &LETTERS), ("fill", &"#202024")],
+                text,
+            );
+        };
+        for (row, entry) in self.legend.iter().enumerate() {
+            let y = format!("{:.1}", top + step * row as f64 + 5.0);
+            xml.tag(
+                "rect",
+                &[("x", &18), ("y", &y), ("width", &16), ("height", &LETTERS), ("fill", &hex(entry.colour))],
+            );
+            line(xml, row as f64, entry.meaning);
+        }
+        let bottom = format!("{:.1}", height - 16.0);
+        xml.tag(
+            "rect",
+            &[
+                ("x", &18),
+                ("y", &bottom),
+                ("width", &format!("{:.1}", 50.0 * scale)),
+                ("height", &3),
+                ("fill", &"#202024"),
+            ],
+        );
+        line(xml, self.legend.len() as f64, "50 m");
+    }
+}

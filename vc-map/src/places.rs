@@ -1,0 +1,151 @@
+//! Places as they are described: buildings with their doors, areas, stops.
+
+use serde::{Deserialize, Serialize};
+
+use crate::BuildingId;
+
+/// A building: its outline and heights.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Building {
+    /// Its outer ring, counter-clockwise, metres; the first point is not repeated.
+    pub outline: Vec<[f64; 2]>,
+    /// Its courts, clockwise.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub courts: Vec<Vec<[f64; 2]>>,
+    /// The height of its top above the ground, metres.
+    pub height: f64,
+    /// The height at which it begins, metres: above zero for a part that hangs over.
+    #[serde(default)]
+    pub base: f64,
+    /// Its storeys above the ground.
+    pub storeys: u32,
+    /// Its kind, as mapped: `apartments`, `retail`, `yes`.
+    pub kind: String,
+    /// Its name.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub name: Option<String>,
+    /// Its address: street and number.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub address: Option<String>,
+    /// Whether it is a part of another.
+    #[serde(default)]
+    pub part: bool,
+    /// The number of the way or relation that it was made from; 0 if there is none.
+    #[serde(default)]
+    pub source: i64,
+}
+
+impl Building {
+    /// A building of an outline in metres and a number of storeys, each 3.1 m high.
+    pub fn new(outline: Vec<[f64; 2]>, storeys: u32) -> Self {
+        Self {
+            outline,
+            courts: Vec::new(),
+            height: f64::from(storeys.max(1)) * 3.1,
+            base: 0.0,
+            storeys,
+            kind: "yes".to_owned(),
+            name: None,
+            address: None,
+            part: false,
+            source: 0,
+        }
+    }
+}
+
+/// A door of a building.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct EntranceDraft {
+    /// The building.
+    pub building: BuildingId,
+    /// Its place on the outline, metres.
+    pub at: [f64; 2],
+    /// Its kind, as mapped: `main`, `yes`, `service`.
+    pub kind: String,
+    /// The number of the node that it was made from; 0 if it was guessed.
+    #[serde(default)]
+    pub source: i64,
+}
+
+/// The kind of an area.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+#[non_exhaustive]
+pub enum AreaKind {
+    /// Parks, grass, woods, gardens.
+    Green,
+    /// Lakes, ponds, rivers with banks.
+    Water,
+    /// Squares and other areas for walking.
+    Square,
+    /// Car parks.
+    Parking,
+    /// Platforms of stations and stops.
+    Platform,
+    /// Ground that belongs to one owner.
+    Lot,
+}
+
+impl AreaKind {
+    /// The word in files and pictures.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Green => "green",
+            Self::Water => "water",
+            Self::Square => "square",
+            Self::Parking => "parking",
+            Self::Platform => "platform",
+            Self::Lot => "lot",
+        }
+    }
+}
+
+/// An area, or the line of a stream.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Area {
+    /// Its kind.
+    pub kind: AreaKind,
+    /// Its outer ring, metres; the first point is not repeated.
+    pub outline: Vec<[f64; 2]>,
+    /// Its holes.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub holes: Vec<Vec<[f64; 2]>>,
+    /// Its name.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub name: Option<String>,
+    /// The number of the way or relation that it was made from; 0 if there is none.
+    #[serde(default)]
+    pub source: i64,
+}
+
+/// The kind of a stop.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+#[non_exhaustive]
+pub enum StopKind {
+    /// Of buses.
+    Bus,
+    /// Of trams.
+    Tram,
+    /// Of trains, underground ones included.
+    Train,
+}
+
+/// A stop of public transport.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct StopDraft {
+    /// Its kind.
+    pub kind: StopKind,
+    /// Where people wait, metres.
+    pub at: [f64; 2],
+    /// Its name.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub name: Option<String>,
+    /// The number of the node that it was made from; 0 if there is none.
+    #[serde(default)]
+    pub source: i64,
+}

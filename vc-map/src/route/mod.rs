@@ -1,0 +1,136 @@
+//! Routes for cars, bicycles and people on foot over one map, with costs for turns.
+//!
+//! ```
+//! use vc_map::route::{Mode, Router};
+//! use vc_map::{Building, BuildingId, Control, CrossSection, EntranceDraft, MapDraft, RoadClass, Strip};
+//! let mut draft = MapDraft::new("street", 48.1, 11.6);
+//! let ends = [[0.0, 0.0], [100.0, 0.0], [200.0, 0.0]].map(|at| draft.junction(at, Control::Priority));
+//! let side = vec![Strip::driving(3.0, 10.0), Strip::pavement(2.0)];
+//! for pair in ends.windows(2) {
+//!     let section = CrossSection { forward: side.clone(), backward: side.clone(), median: 0.0 };
+//!     draft.road(pair[0], pair[1], RoadClass::Residential, section);
+//! }
+//! let outline = vec![[150.0, 8.0], [160.0, 8.0], [160.0, 18.0], [150.0, 18.0]];
+//! draft.buildings.push(Building::new(outline, 3));
+//! draft.entrances.push(EntranceDraft { building: BuildingId(0), at: [155.0, 8.0], kind: "main".into(), source: 0 });
+//! let map = draft.build()?;
+//!
+//! let walk = Router::new(&map, Mode::Foot).to_entrance(&[10.0, -3.0].into(), vc_map::EntranceId(0));
+//! let walk = walk.ok_or("a way")?;
+//! assert_eq!(walk.line.end(), [155.0, 8.0].into());
+//! let drive = Router::new(&map, Mode::Car).route(&[10.0, -1.5].into(), &[190.0, -1.5].into());
+//! assert!(drive.is_some_and(|drive| (drive.metres - 180.0).abs() < 1.0 && drive.seconds < 20.0));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod graph;
+mod landmarks;
+mod network;
+mod search;
+
+use graph::Graph;
+use network::Ground;
+
+use crate::{EntranceId, Point, Polyline, RoadId, StreetMap, WalkEdgeId};
+
+/// A point is at most this far from the network that one starts from, metres.
+const NEAR: f64 = 200.0;
+
+/// How somebody travels.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Mode {
+    /// By car.
+    Car,
+    /// By bicycle.
+    Bicycle,
+    /// On foot.
+    Foot,
+}
+
+/// A part of a route.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Leg {
+    /// Along a road, with its line or against it.
+    Road(RoadId, bool),
+    /// Along an edge of the walkable network, from its first end or from its second.
+    Walk(WalkEdgeId, bool),
+}
+
+/// A way from one point to another.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Route {
+    /// Its parts.
+    pub legs: Vec<Leg>,
+    /// Its line.
+    pub line: Polyline,
+    /// Its length, metres.
+    pub metres: f64,
+    /// The time that it takes, seconds, waiting at lights and turns included.
+    pub seconds: f64,
+}
+
+/// Finds the fastest routes of one mode on a map: an A* search with landmarks (Goldberg and Harrelson, 2005). Making it
+/// costs sixteen searches over the whole map.
+#[derive(Debug)]
+pub struct Router {
+    map: StreetMap,
+    mode: Mode,
+    graph: Graph,
+    ground: Ground,
+}
+
+impl Router {
+    /// A router for a mode.
+    pub fn new(map: &StreetMap, mode: Mode) -> Self {
+        let (ground, graph) = network::network(map, mode);
+        Self { map: map.clone(), mode, graph, ground }
+    }
+
+    /// The fastest route from a point to a point, each at the nearest lane or pavement within 200 m. `None` without a way.
+    pub fn route(&self, from: &Point, to: &Point) -> Option<Route> {
+        let (start, end) = (self.ground.near(&self.map, from, NEAR)?, self.ground.near(&self.map, to, NEAR)?);
+        self.between(start, end, [None, None])
+    }
+
+    /// The fastest way on foot from a point to a door. `None` for other modes and without a way.
+    pub fn to_entrance(&self, from: &Point, to: EntranceId) -> Option<Route> {
+        let start = self.ground.near(&self.map, from, NEAR)?;
+        let (end, door) = self.door(to)?;
+        self.between(start, end, [None, Some(door)])
+    }
+
+    /// The fastest way on foot from a door to a door.
+    pub fn between_entrances(&self, from: EntranceId, to: EntranceId) -> Option<Route> {
+        let ((start, first), (end, last)) = (self.door(from)?, self.door(to)?);
+        self.between(start, end, [Some(first), Some(last)])
+    }
+
+    fn door(&self, id: EntranceId) -> Option<(network::Place, Point)> {
+        let entrance = self.map.entrance(id).filter(|_| self.mode == Mode::Foot)?;
+        Some((network::Place { item: entrance.edge?.index(), station: entrance.station }, entrance.door))
+    }
+
+    fn search(&self, start: &network::Place, end: &network::Place) -> Option<(graph::Cost, Vec<u32>)> {
+        let (starts, ends) = (self.ground.starts(start), self.ground.ends(end));
+        if self.mode == Mode::Foot || start.item != end.item {
+            return search::search(&self.graph, &starts, &ends);
+        }
+        // What lies behind on the same side of a road is reached by way of what comes next.
+        let behind = starts.iter().map(|(_, cost)| *cost).min().unwrap_or(0);
+        let next: Vec<_> =
+            self.graph.from(start.item as u32).iter().map(|(to, cost)| (*to, cost.saturating_add(behind))).collect();
+        let (cost, mut nodes) = search::search(&self.graph, &next, &ends)?;
+        nodes.insert(0, start.item as u32);
+        Some((cost, nodes))
+    }
+
+    fn between(&self, start: network::Place, end: network::Place, doors: [Option<Point>; 2]) -> Option<Route> {
+        let found = match self.ground.direct(&start, &end) {
+            Some(cost) => (cost, Vec::new()),
+            None => self.search(&start, &end)?,
+        };
+        self.ground.route(&self.map, start, end, found, doors)
+    }
+}

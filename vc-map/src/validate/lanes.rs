@@ -1,0 +1,87 @@
+//! Lanes: continuous, and connected.
+
+use petgraph::algo::kosaraju_scc;
+use petgraph::graph::{DiGraph, NodeIndex};
+
+use super::MapViolation;
+use crate::{Control, LaneId, StreetMap, Users};
+
+/// A movement may miss its lane by this, metres.
+const GAP: f64 = 0.05;
+
+pub(super) fn violations(map: &StreetMap) -> Vec<MapViolation> {
+    let mut found = gaps(map);
+    found.extend(dead(map));
+    found.extend(cut_off(map));
+    found
+}
+
+fn gaps(map: &StreetMap) -> Vec<MapViolation> {
+    let mut found = Vec::new();
+    for movement in map.movements() {
+        let ends = [(movement.from, true, movement.line.start()), (movement.to, false, movement.line.end())];
+        for (id, end, point) in ends {
+            let Some(lane) = map.lane(id) else { continue };
+            let metres = (if end { lane.line.end() } else { lane.line.start() } - point).norm();
+            if metres > GAP {
+                found.push(MapViolation::Gap { junction: movement.junction, lane: id, metres });
+            }
+        }
+    }
+    found
+}
+
+/// Lanes for cars and buses that end without a way on, other than at the edge of the map.
+fn dead(map: &StreetMap) -> impl Iterator<Item = MapViolation> {
+    map.lanes()
+        .iter()
+        .enumerate()
+        .filter(|(_, lane)| {
+            let end = map
+                .road(lane.road)
+                .and_then(|road| map.junction(if lane.forward { road.draft.to } else { road.draft.from }));
+            let edge = end.is_none_or(|junction| junction.draft.control == Control::Edge);
+            lane.users.any(Users::CAR | Users::BUS) && lane.next.is_empty() && !edge
+        })
+        .map(|(index, _)| MapViolation::DeadLane { lane: LaneId::of(index) })
+}
+
+/// Parts of the network for cars that are not one with the largest part. Lanes from and to the edge of the map are taken to be
+/// joined beyond it.
+fn cut_off(map: &StreetMap) -> Vec<MapViolation> {
+    let mut graph: DiGraph<(), ()> = DiGraph::with_capacity(map.lanes().len() + 1, map.movements().len());
+    map.lanes().iter().for_each(|_| _ = graph.add_node(()));
+    let beyond = graph.add_node(());
+    let node = |id: LaneId| NodeIndex::new(id.index());
+    for movement in map.movements().iter().filter(|movement| movement.users.has(Users::CAR)) {
+        graph.add_edge(node(movement.from), node(movement.to), ());
+    }
+    for (index, lane) in map.lanes().iter().enumerate() {
+        let id = LaneId::of(index);
+        if let Some(inner) = lane.inner.filter(|inner| map.lane(*inner).is_some_and(|lane| lane.users.has(Users::CAR)))
+        {
+            graph.add_edge(node(id), node(inner), ());
+            graph.add_edge(node(inner), node(id), ());
+        }
+        let Some(road) = map.road(lane.road) else { continue };
+        let is_edge = |id| map.junction(id).is_some_and(|junction| junction.draft.control == Control::Edge);
+        let [start, end] =
+            if lane.forward { [road.draft.from, road.draft.to] } else { [road.draft.to, road.draft.from] };
+        if is_edge(start) {
+            graph.add_edge(beyond, node(id), ());
+        }
+        if is_edge(end) {
+            graph.add_edge(node(id), beyond, ());
+        }
+    }
+    let drives = |index: &NodeIndex| map.lanes().get(index.index()).is_some_and(|lane| lane.users.has(Users::CAR));
+    let mut parts: Vec<Vec<NodeIndex>> =
+        kosaraju_scc(&graph).into_iter().map(|part| part.into_iter().filter(drives).collect()).collect();
+    parts.retain(|part: &Vec<NodeIndex>| !part.is_empty());
+    parts.sort_by_key(|part| (std::cmp::Reverse(part.len()), part.iter().min().copied()));
+    let lost = parts.iter().skip(1);
+    lost.filter_map(|part| {
+        Some(MapViolation::CutOff { lane: LaneId::of(part.iter().min()?.index()), lanes: part.len() })
+    })
+    .collect()
+}

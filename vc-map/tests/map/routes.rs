@@ -1,0 +1,132 @@
+//! Routes against a slow obvious search.
+
+use std::collections::BTreeMap;
+
+use vc_map::route::{Leg, Mode, Router};
+use vc_map::{BuildingId, EntranceId, Point, WalkKind};
+
+use crate::town::{grid, riverside};
+
+/// The shortest times over the walkable network in seconds, by trying all edges until nothing changes.
+fn walked(map: &vc_map::StreetMap, from: EntranceId) -> BTreeMap<u32, f64> {
+    let cost = |edge: &vc_map::WalkEdge| {
+        let wait = match edge.kind {
+            WalkKind::Crossing(id) => {
+                let crossing = map.crossing(id).unwrap();
+                let junction = map.junction(crossing.junction).unwrap();
+                let row = junction.movements.len() + junction.crossings.iter().position(|other| *other == id).unwrap();
+                match junction.signal.filter(|_| crossing.kind == vc_map::CrossingKind::Signals) {
+                    Some(signal) => {
+                        let phases = &map.signal(signal).unwrap().phases;
+                        phases
+                            .iter()
+                            .filter(|p| matches!(p.lights[row], vc_map::Light::Red | vc_map::Light::Yellow))
+                            .map(|p| p.seconds)
+                            .sum::<f64>()
+                            / 2.0
+                    }
+                    None => {
+                        if crossing.kind == vc_map::CrossingKind::Signals {
+                            0.0
+                        } else {
+                            3.0
+                        }
+                    }
+                }
+            }
+            _ => 0.0,
+        };
+        edge.line.length() * if edge.steps { 1.6 } else { 1.0 } / 1.34 + wait
+    };
+    let start = map.entrance(from).unwrap();
+    let edge = map.walk_edge(start.edge.unwrap()).unwrap();
+    let pace = cost(edge) / edge.line.length();
+    let mut best = BTreeMap::from([
+        (edge.ends[0].0, start.station * pace),
+        (edge.ends[1].0, (edge.line.length() - start.station) * pace),
+    ]);
+    loop {
+        let mut changed = false;
+        for edge in map.walk_edges() {
+            for [a, b] in [[0, 1], [1, 0]] {
+                let Some(known) = best.get(&edge.ends[a].0).copied() else { continue };
+                let time = known + cost(edge);
+                let at = best.entry(edge.ends[b].0).or_insert(f64::INFINITY);
+                if time < *at - 1e-9 {
+                    *at = time;
+                    changed = true;
+                }
+            }
+        }
+        if !changed {
+            return best;
+        }
+    }
+}
+
+#[test]
+fn ways_on_foot_end_at_doors_and_are_as_fast_as_any() {
+    let (map, _) = riverside();
+    let router = Router::new(&map, Mode::Foot);
+    for from in [0, 50, 120].map(EntranceId) {
+        let times = walked(&map, from);
+        for to in (0..map.entrances().len() as u32).step_by(13).map(EntranceId).filter(|to| *to != from) {
+            let route = router.between_entrances(from, to).unwrap();
+            let (start, end) = (map.entrance(from).unwrap(), map.entrance(to).unwrap());
+            assert_eq!((route.line.start(), route.line.end()), (start.door, end.door));
+            if start.edge == end.edge {
+                continue;
+            }
+            let edge = map.walk_edge(end.edge.unwrap()).unwrap();
+            let rest = [end.station, edge.line.length() - end.station];
+            let last = |i: usize| times[&edge.ends[i].0] + rest[i] / 1.34 * if edge.steps { 1.6 } else { 1.0 };
+            let least = last(0).min(last(1));
+            // Costs are kept in whole milliseconds.
+            assert!((route.seconds - least).abs() < 0.1, "{} {least}", route.seconds);
+            let lines: Vec<f64> = route.line.points().windows(2).map(|w| (w[1] - w[0]).norm()).collect();
+            assert!(lines.iter().all(|step| *step < 500.0));
+        }
+    }
+    assert!(map.entrances_of(BuildingId(0)).len() == 1);
+}
+
+#[test]
+fn cars_follow_movements_and_turn_as_little_as_they_can() {
+    let map = grid(6);
+    let router = Router::new(&map, Mode::Car);
+    let route = router.route(&Point::new(50.0, -1.5), &Point::new(501.5, 450.0)).unwrap();
+    let roads: Vec<_> = route
+        .legs
+        .iter()
+        .map(|leg| match leg {
+            Leg::Road(road, forward) => (*road, *forward),
+            other => panic!("{other:?}"),
+        })
+        .collect();
+    for pair in roads.windows(2) {
+        let joined = map.movements().iter().any(|movement| {
+            let side = |id| map.lane(id).map(|lane| (lane.road, lane.forward));
+            side(movement.from) == Some(pair[0]) && side(movement.to) == Some(pair[1])
+        });
+        assert!(joined, "{pair:?}");
+    }
+    let turns = roads.windows(2).filter(|pair| {
+        let along = |(road, _): (vc_map::RoadId, bool)| map.road(road).unwrap().line.direction(0.0);
+        along(pair[0]).dot(&along(pair[1])).abs() < 0.5
+    });
+    assert_eq!(turns.count(), 1);
+    assert!((route.metres - 900.0).abs() < 60.0, "{}", route.metres);
+    // Behind oneself on a street of two directions: round a block or back at an end, never against the lane.
+    let back = router.route(&Point::new(60.0, -1.5), &Point::new(40.0, -1.5)).unwrap();
+    assert!(back.metres > 300.0 && back.legs.len() > 2);
+}
+
+#[test]
+fn there_is_no_way_where_there_is_none() {
+    let map = grid(2);
+    let router = Router::new(&map, Mode::Car);
+    assert!(router.route(&Point::new(50.0, 0.0), &Point::new(5000.0, 0.0)).is_none());
+    assert!(router.to_entrance(&Point::new(50.0, 0.0), EntranceId(0)).is_none());
+    let near = Router::new(&map, Mode::Foot).route(&Point::new(50.0, -4.0), &Point::new(50.0, -4.0));
+    assert!(near.is_some_and(|route| route.metres < 0.1));
+}
