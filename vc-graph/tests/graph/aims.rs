@@ -382,7 +382,7 @@ fn a_point_of_a_rack_is_taken_board_by_board() {
     let mut edit = scene.edit();
     edit.hold(home.me, home.cup).unwrap();
     edit.commit();
-    let mut taken = |scene: &mut SceneBuilder, height: Option<f32>| {
+    let taken = |scene: &mut SceneBuilder, height: Option<f32>| {
         if let Some(z) = height {
             scene.add_on(rack, Draft::new("bowl").bounds(thing).at(Pose::translation(2.0, 2.8, z))).unwrap();
         }

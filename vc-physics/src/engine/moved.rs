@@ -3,18 +3,13 @@
 use rapier3d::dynamics::RigidBodyHandle;
 
 /// A set of bodies by index. It may name bodies that have not moved, or are no longer there; it misses none.
-#[derive(Clone)]
+#[derive(Clone, Default)]
 pub(super) enum Moved {
     /// Nobody has read the world yet.
+    #[default]
     All,
     /// One bit for each index.
     Some(Vec<u64>),
-}
-
-impl Default for Moved {
-    fn default() -> Self {
-        Self::All
-    }
 }
 
 impl Moved {

@@ -74,7 +74,9 @@ impl Room {
                 let beside = near
                     .map(|p| at(p.x + 0.4, p.y, 0.0))
                     .filter(|feet| world.standing(person, feet).unwrap().is_free());
-                beside.map(|feet| world.teleport(person, feet).unwrap());
+                if let Some(feet) = beside {
+                    world.teleport(person, feet).unwrap();
+                }
                 drop(world.grab(person, Hand::Right, cube));
             }
             6 => drop(world.drop(person, Hand::Right)),
