@@ -25,7 +25,7 @@ use super::{Assets, Environment, MakeError, scene};
 /// | [`processes_at_once`](Self::processes_at_once) | no: they take their time |
 /// | [`begins_at`](Self::begins_at), [`hour`](Self::hour) | noon of day 0 |
 /// | [`tolerance`](Self::tolerance) | [`SUPPORT_GAP`](vc_relations::threshold::SUPPORT_GAP): 0.02 m |
-/// | `pictures` (feature `render`) | [`PictureOptions::default`](crate::PictureOptions): noon, a field of view of 1.15 rad |
+/// | `pictures` (feature `render`) | [`PictureOptions::default`](crate::PictureOptions): noon, a field of view of 1.15 rad, eyes at the head of each body |
 /// | `camera`, `sensor` (feature `render`) | no others than [`cameras`](Environment::cameras) lists in every home |
 /// | `threads` (feature `render`) | those of the rayon pool that pictures are asked for in: as many as there are cores |
 ///
@@ -235,7 +235,8 @@ impl EnvironmentBuilder {
         self
     }
 
-    /// The options of pictures: [`Environment::set_pictures`].
+    /// The options of pictures: [`Environment::set_pictures`]. Its daylight takes the place of that of an
+    /// [`hour`](Self::hour) that was set before.
     #[cfg(feature = "render")]
     pub fn pictures(mut self, options: crate::PictureOptions) -> Self {
         self.settings.pictures = options;

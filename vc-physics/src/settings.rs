@@ -36,30 +36,30 @@ pub enum UnsupportedThings {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Settings {
-    /// Time of one step, seconds.
+    /// Time of one step, seconds; 1/60 by default.
     pub dt: f32,
-    /// Number of engine steps in one step of the world, each of `dt / substeps`.
+    /// Number of engine steps in one step of the world, each of `dt / substeps`; 1 by default.
     pub substeps: u32,
-    /// Acceleration of free fall, metres per second squared, downwards.
+    /// Acceleration of free fall, metres per second squared, downwards; 9.81 by default.
     pub gravity: f32,
-    /// Which objects are fixed.
+    /// Which objects are fixed; [`FixedThings::Heavy`] by default.
     pub fixing: FixedThings,
-    /// The mass from which on furniture is heavy, kilograms.
+    /// The mass from which on furniture is heavy, kilograms; 30 by default.
     pub heavy: f32,
-    /// Whether things without a support hang or fall.
+    /// Whether things without a support hang or fall; they hang by default.
     pub unplaced: UnsupportedThings,
-    /// Friction torque of hinges, newton metres for each kilogram that turns.
+    /// Friction torque of hinges, newton metres for each kilogram that turns; 0.05 by default.
     pub hinge_friction: f32,
-    /// Friction force of slides, newtons for each kilogram that slides.
+    /// Friction force of slides, newtons for each kilogram that slides; 1 by default.
     pub slide_friction: f32,
     /// Whether doors and lids stay where they are left, as if a spring or a counterweight held them; otherwise
-    /// they fall shut or open.
+    /// they fall shut or open. They stay by default.
     pub balanced: bool,
-    /// Whether closed doors, lids and drawers stay closed until they are opened.
+    /// Whether closed doors, lids and drawers stay closed until they are opened; they do by default.
     pub latches: bool,
     /// Whether masses outside the range of the node's class are clamped to that range. Assets are often
     /// modelled with too much or too little material. The range grows with the volume of a scaled node;
-    /// [`BodyView::modelled_mass`](crate::BodyView::modelled_mass) returns the unclamped mass.
+    /// [`BodyView::modelled_mass`](crate::BodyView::modelled_mass) returns the unclamped mass. They are clamped by default.
     pub class_masses: bool,
 }
 

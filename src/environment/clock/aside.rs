@@ -103,8 +103,12 @@ impl Environment {
         }
     }
 
-    /// An agent that begins something, or is moved by somebody, makes way no longer.
+    /// An agent that begins something, or is moved by somebody, makes way no longer: it goes on from where it has stepped.
     pub(in crate::environment) fn stays_aside(&mut self, agent: NodeId) {
+        let now = self.tick();
+        let ways = self.clock.running.values().filter_map(|schedule| schedule.track.way());
+        let step = ways.flat_map(|way| &way.aside).find(|step| step.agent == agent).map(|step| step.feet(now));
+        step.into_iter().for_each(|feet| self.step_to(agent, feet));
         for schedule in self.clock.running.values_mut() {
             if let Track::Way(way) = &mut schedule.track {
                 way.aside.retain(|step| step.agent != agent);

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use nalgebra::Point2;
 use vc_graph::clock::{Span, Tick};
-use vc_graph::{NodeId, Pose};
+use vc_graph::{Action, Change, ChangeSet, NodeId, Pose, Refusal, SceneGraph, rule};
 
 use super::Interruption;
 use super::passing::{Walk, spot};
@@ -172,6 +172,28 @@ impl Environment {
                 self.move_passed_door(passage.door, passage.open(way, now), Some(agent));
             } else {
                 self.move_passed_door(passage.door, passage.own, None);
+            }
+        }
+    }
+
+    /// Ends the actions that the rule allows no longer since something came true in this tick: a door has been shut before
+    /// the hand, a tap turned off, a switch pressed. Nearness is not asked for, as whoever is on the way is not there yet.
+    pub(super) fn heed_effects(&mut self, before: &SceneGraph) {
+        let tells = |change: &Change| !matches!(change, Change::Pose { .. });
+        if self.clock.running.is_empty() || !ChangeSet::between(before, &self.graph).changes().iter().any(tells) {
+            return;
+        }
+        let refused = |graph: &SceneGraph, agent: NodeId, action: &Action| {
+            let refusals = rule::refusals(graph, agent, action);
+            refusals.iter().any(|refusal| !matches!(refusal, Refusal::NotNear { .. } | Refusal::PointOutOfReach { .. }))
+        };
+        let pending = self.clock.running.iter().filter(|(_, schedule)| schedule.truth.is_none());
+        let lost = pending.filter(|(agent, schedule)| {
+            refused(&self.graph, **agent, &schedule.action) && !refused(before, **agent, &schedule.action)
+        });
+        for agent in lost.map(|(agent, _)| *agent).collect::<Vec<NodeId>>() {
+            if let Err(error) = self.still_allowed(agent) {
+                self.stop(agent, error);
             }
         }
     }

@@ -18,7 +18,7 @@ pub struct Ending {
     /// The action.
     pub action: Action,
     /// The changes of the graph since the ending of the last action that was done, or the reason for which this one was
-    /// not.
+    /// not. An action that is broken off after its effects have come true has been done, however its motions end.
     pub outcome: Result<ChangeSet, ActionError>,
 }
 

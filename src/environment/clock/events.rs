@@ -209,7 +209,7 @@ impl Environment {
     }
 
     /// Whether the rule allows the action as before, if its effects have not come true yet.
-    fn still_allowed(&self, agent: NodeId) -> Going {
+    pub(super) fn still_allowed(&self, agent: NodeId) -> Going {
         let Some(schedule) = self.clock.running.get(&agent).filter(|s| s.truth.is_none()) else { return Ok(()) };
         let refusals = rule::refusals(&self.graph, agent, &schedule.action);
         if refusals.is_empty() {

@@ -85,8 +85,8 @@ impl Clock {
 }
 
 impl Environment {
-    /// Gives an agent an action, which begins in the next tick of [`step`](Self::step). An action that it is doing by
-    /// then, or was given before, is interrupted.
+    /// Gives an agent an action, which begins in the next tick of [`step`](Self::step). An action that it was given before,
+    /// or is doing by then, is interrupted; the latter goes on if the rule refuses the new one.
     ///
     /// Whether the rule allows the action is asked in that tick; the answer is an [`Ending`].
     ///
@@ -117,7 +117,8 @@ impl Environment {
     ///
     /// The outcome does not depend on how the time is divided into steps, nor on the order in which actions were given.
     /// An action that fails or is interrupted leaves the world as it is in that tick; one that the rule refuses changes
-    /// nothing.
+    /// nothing that anybody does. (It is asked for in a tick of its own, in which feet are put where they are on their way,
+    /// so that last digits of poses may differ from a home in which it was not given.)
     ///
     /// Costs what the live ticks cost, in which an action begins, an event is due or a body is awake; the others pass at
     /// once.
@@ -235,7 +236,7 @@ impl Environment {
 
     /// A live tick: events that are due, beginnings, a step of bodies, ends.
     fn live(&mut self) {
-        let now = self.tick();
+        let (now, before) = (self.tick(), self.graph.clone());
         self.end_processes();
         self.apply_controls();
         let due: Vec<NodeId> = self.clock.running.iter().filter(|(_, s)| s.until <= now).map(|(a, _)| *a).collect();
@@ -250,6 +251,7 @@ impl Environment {
             self.read_if_still();
         }
         given.into_iter().for_each(|(agent, action)| self.begin_action(agent, action));
+        self.heed_effects(&before);
         self.heed_standers();
         self.step_bodies();
         self.follow_controls();

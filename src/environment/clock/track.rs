@@ -140,7 +140,8 @@ impl Way {
         self.begin + Span((metres.max(0.0) / self.speed * RATE).ceil() as u64)
     }
 
-    fn arrival(&self) -> Tick {
+    /// The tick in which the walker arrives, and turns.
+    pub(super) fn arrival(&self) -> Tick {
         self.tick_at(self.length())
     }
 

@@ -177,6 +177,7 @@ const CONTESTED: &[(&str, Case)] = &[
         let chair = seat(home)?;
         Some(agents.map(|agent| now(agent, Action::one(Verb::Sit, chair))).to_vec())
     }),
+    // A seat is taken in the tick in which somebody begins to sit down.
     ("b sits down where a is about to sit", |home, [a, b]| {
         let chair = seat(home)?;
         Some(vec![now(a, Action::one(Verb::Sit, chair)), (Span(10), b, Action::one(Verb::Sit, chair))])

@@ -178,15 +178,15 @@ impl Judged<'_> {
         beside.map(elsewhere).or_else(out_of_reach).or_else(taken)
     }
 
-    /// Another thing on the target that stands at a point for sure: the middle half of its box is there, on each level
-    /// of the target that is below the point.
+    /// Another thing on the target that stands at a point as far as boxes tell: the middle half of its box is there, on each
+    /// level of the target that is below the point.
     fn standing_there(&self, point: &AimPoint) -> Option<Label> {
         let target = self.graph.node(self.action.target?)?;
         let slot = self.action.aim.part();
         let others = self.graph.relating(Relation::On, target.id()).filter(|id| Some(*id) != self.action.object);
         let nodes: Vec<&Node> = others.filter_map(|id| self.graph.node(id)).collect();
         let there = |node: &&&Node| node.stands_at(&point.plan());
-        if self.levels(target, Hold::On).is_none_or(|levels| levels <= 1) {
+        if self.levels(target, Hold::On).is_none() {
             return nodes.iter().find(there).map(|node| node.label());
         }
         let heights = self.level_heights(target, point).filter(|_| slot.is_none())?;

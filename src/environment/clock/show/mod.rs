@@ -122,7 +122,8 @@ impl Environment {
 
     /// Shows legs that walk, gradually from standing.
     fn show_walking(&mut self, before: &Self, agent: NodeId, way: &Way) {
-        if self.tick() <= way.begin {
+        // One who has arrived stands, though the walk lasts until others are back or a door is shut.
+        if self.tick() <= way.begin || self.tick() >= way.arrival() {
             return;
         }
         let since = (self.tick() - way.begin).seconds() as f32;
