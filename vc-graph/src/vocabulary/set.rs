@@ -42,7 +42,8 @@ impl<W: Word> Set<W> {
 
     /// Whether any word of `other` is in this set.
     pub fn intersects(self, other: Self) -> bool {
-        self.masks.iter().zip(other.masks).any(|(own, other)| own & other != 0)
+        // All masks at once: most sets have words in the first only, and a branch for each costs more.
+        (0..MASKS).fold(0, |both, i| both | (self.masks[i] & other.masks[i])) != 0
     }
 
     /// This set with the word added.
@@ -94,10 +95,11 @@ impl<W: Word> Set<W> {
 
     /// The words that are not built in, by name.
     pub fn own(self) -> impl Iterator<Item = W> {
+        // Without own words, nothing is allocated or looked through.
+        let has_own = self.masks[1..].iter().any(|mask| *mask != 0);
         let masks = self.masks.into_iter().enumerate().skip(1);
         let indices = masks.flat_map(|(at, mask)| bits(mask).map(move |bit| at * OwnWords::FIRST + bit));
-        // Without own words, nothing is allocated.
-        let mut own: Vec<W> = indices.filter_map(W::from_index).collect();
+        let mut own: Vec<W> = if has_own { indices.filter_map(W::from_index).collect() } else { Vec::new() };
         own.sort_unstable();
         own.into_iter()
     }
