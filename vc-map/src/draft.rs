@@ -36,7 +36,7 @@ pub enum Structure {
     Tunnel,
 }
 
-/// Who goes first at a junction.
+/// The right of way at a junction.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 #[non_exhaustive]
@@ -68,7 +68,7 @@ pub struct Origin {
 pub struct JunctionDraft {
     /// Its middle, metres.
     pub at: [f64; 2],
-    /// Who goes first.
+    /// The right of way.
     #[serde(default)]
     pub control: Control,
     /// The numbers of the nodes that it was made from, of OpenStreetMap for example.

@@ -35,7 +35,7 @@ pub struct Lane {
     pub kind: StripKind,
     /// Its width, metres.
     pub width: f64,
-    /// Who may use it.
+    /// Those who may use it.
     pub users: Users,
     /// Its speed limit, metres per second.
     pub limit: f64,
@@ -116,7 +116,7 @@ pub struct Movement {
     pub turn: Turn,
     /// Its line; its length is the length of the junction's interior.
     pub line: Polyline,
-    /// Who may go.
+    /// Those who may go.
     pub users: Users,
     /// The movements of its junction to which it gives way where no signal rules, by their positions there.
     pub yields: Vec<u16>,

@@ -126,11 +126,11 @@ pub struct Area {
 #[serde(rename_all = "snake_case")]
 #[non_exhaustive]
 pub enum StopKind {
-    /// Of buses.
+    /// A stop of buses.
     Bus,
-    /// Of trams.
+    /// A stop of trams.
     Tram,
-    /// Of trains, underground ones included.
+    /// A stop of trains, underground ones included.
     Train,
 }
 

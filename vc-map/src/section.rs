@@ -136,7 +136,7 @@ pub struct Strip {
     pub kind: StripKind,
     /// Its width, metres.
     pub width: f64,
-    /// Who may use it.
+    /// Those who may use it.
     pub users: Users,
     /// Its speed limit, metres per second.
     pub limit: f64,

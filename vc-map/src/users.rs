@@ -80,7 +80,7 @@ macro_rules! masks {
 }
 
 masks! {
-    /// Who may use a lane.
+    /// Those who may use a lane.
     ///
     /// ```
     /// use vc_map::Users;

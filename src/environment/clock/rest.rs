@@ -221,7 +221,7 @@ impl Environment {
             all.extend(self.graph.carried_with(agent).into_iter().chain(before.carried_with(agent)));
             all.push(agent);
             all.extend(schedule.action.things());
-            // What is on a door that they move goes with it.
+            // Things on a door that they move go with it.
             let moved = self.opened_or_closed(&schedule.action);
             let inside = moved.into_iter().flat_map(|thing| before.relating(Relation::Inside, thing));
             all.extend(inside.filter(|id| !about(*id)));

@@ -73,7 +73,7 @@ fn feet(home: &Environment, agent: NodeId) -> Point2<f32> {
     home.world().pose(agent).unwrap().translation.vector.xy().into()
 }
 
-/// What is seen of agents who meet.
+/// The distances that are seen between agents who meet.
 #[derive(Default)]
 struct Seen {
     before: Vec<Point2<f32>>,

@@ -55,7 +55,7 @@ enum Item {
     Carriageway(RoadId),
 }
 
-/// What decides on crossings at a junction.
+/// The facts that decide on crossings at a junction.
 struct At {
     id: JunctionId,
     control: Control,

@@ -1,4 +1,4 @@
-//! Who gives way at junctions without lights.
+//! Right of way at junctions without lights.
 
 use crate::parts::{Junction, Lane, Movement, Road, Turn};
 use crate::{DrivingSide, MapDraft};

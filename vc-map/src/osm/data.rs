@@ -55,7 +55,7 @@ pub(super) struct Member {
     role: u32,
 }
 
-/// What a file of OpenStreetMap has: nodes, ways and relations with their tags. [`Self::draft`](OsmData::draft) makes a map
+/// The content of a file of OpenStreetMap: nodes, ways and relations with their tags. [`Self::draft`](OsmData::draft) makes a map
 /// of it.
 #[derive(Debug, Default)]
 pub struct OsmData {

@@ -35,7 +35,7 @@ impl Piece {
     }
 }
 
-/// What a node of a street tells.
+/// The fact that a node of a street tells.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(super) struct Marks {
     /// Lights for vehicles.
@@ -132,7 +132,7 @@ impl<'a> Network<'a> {
         Polyline::new(nodes.iter().map(|node| self.points[*node as usize]))
     }
 
-    /// What the nodes of streets tell: lights, crossings, stop signs.
+    /// The facts that nodes of streets tell: lights, crossings, stop signs.
     fn mark(&mut self, parts: &[(i64, usize, Vec<u32>)]) {
         for (way, street, nodes) in parts {
             let class = self.streets[*street].class;

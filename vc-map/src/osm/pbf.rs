@@ -25,7 +25,7 @@ impl OsmData {
         if file.starts_with(&[0, 0]) { Self::from_pbf(file) } else { Self::from_xml(file) }
     }
 
-    /// Reads OpenStreetMap's PBF, with blocks that are packed by zlib or not at all. What is read takes at most 20 times the
+    /// Reads OpenStreetMap's PBF, with blocks that are packed by zlib or not at all. The data takes at most 20 times the
     /// bytes of the file.
     ///
     /// ```

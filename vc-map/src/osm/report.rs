@@ -1,4 +1,4 @@
-//! What an import guessed, and what it dropped.
+//! The account of an import: the values that it guessed, and the elements that it dropped.
 
 use std::fmt;
 

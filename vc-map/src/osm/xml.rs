@@ -26,7 +26,7 @@ enum Kind {
 }
 
 impl OsmData {
-    /// Reads OpenStreetMap's XML. Everything but nodes, ways, relations and bounds is passed over. What is read takes at most
+    /// Reads OpenStreetMap's XML. Everything but nodes, ways, relations and bounds is passed over. The data takes at most
     /// 20 times the bytes of the file.
     ///
     /// ```
@@ -132,7 +132,7 @@ impl<'a> XmlReader<'a> {
 
     fn open(&mut self, tag: &BytesStart<'a>, kind: Kind) -> Result<(), OsmError> {
         let id = self.whole(tag, "id")?;
-        // What was deleted has no place.
+        // A deleted node has no place.
         let at = if kind == Kind::Node && attribute(tag, "visible").as_deref() != Some("false") {
             [self.number(tag, "lat")?, self.number(tag, "lon")?]
         } else {

@@ -117,7 +117,7 @@ impl Router {
         if self.mode == Mode::Foot || start.item != end.item {
             return search::search(&self.graph, &starts, &ends);
         }
-        // What lies behind on the same side of a road is reached by way of what comes next.
+        // Ends that lie behind on the same side of a road are reached by way of the next one.
         let behind = starts.iter().map(|(_, cost)| *cost).min().unwrap_or(0);
         let next: Vec<_> =
             self.graph.from(start.item as u32).iter().map(|(to, cost)| (*to, cost.saturating_add(behind))).collect();
