@@ -7,7 +7,7 @@ use crate::rule::condition::Condition;
 use crate::rule::effect::Argument;
 use crate::rule::judge::Judge;
 use crate::rule::table::ActionRule;
-use crate::vocabulary::{Set, Word};
+use crate::vocabulary::{Word, bits};
 use crate::{Action, Node, NodeId, SceneGraph, Verb};
 
 /// All actions that an agent can perform now: those without [`refusals`](super::refusals), of every verb with
@@ -38,15 +38,12 @@ pub fn legal_actions_with(graph: &SceneGraph, agent: NodeId, things: &[NodeId]) 
     let Some(now) = judge_of(graph, agent) else { return Vec::new() };
     let words = graph.vocabulary();
     let needs = words.shared_needs();
-    let verbs = needs.of_agent.iter().fold(needs.verbs, |verbs, (need, having)| {
-        if need.ground(&NOTHING).is_some_and(|need| now.meets(&need)) { verbs } else { verbs.minus(*having) }
-    });
-    let open = Open::new(&now, needs, verbs, things);
-    let mut found = Vec::with_capacity(open.first.iter().map(Vec::len).sum());
-    for rule in words.rules().filter(|rule| verbs.contains(rule.verb)) {
+    let open = needs.open(&now, things);
+    let mut found = Vec::with_capacity(open.objects.iter().map(Vec::len).sum());
+    for rule in words.rules().filter(|rule| !open.is_refused(rule.verb)) {
         match rule.arity {
             0 => found.push(Action::zero(rule.verb)),
-            1 => found.extend(open.first[rule.verb.index()].iter().map(|&id| Action::one(rule.verb, id))),
+            1 => found.extend(open.objects_of(rule.verb, First).iter().map(|&id| Action::one(rule.verb, id))),
             _ => found.extend(open.pairs(&now, rule)),
         }
     }
@@ -54,25 +51,32 @@ pub fn legal_actions_with(graph: &SceneGraph, agent: NodeId, things: &[NodeId]) 
 }
 
 use Condition as C;
+use Role::{First, Second};
 
-type Verbs = Set<Verb>;
+/// The role of an object in an action.
+#[derive(Clone, Copy)]
+enum Role {
+    First,
+    Second,
+}
 
-/// A precondition on one object, and the verbs that require it of their first and of their second object.
+/// The place of a verb's role in lists: both roles of a verb stand side by side.
+fn place(verb: Verb, role: Role) -> usize {
+    2 * verb.index() + role as usize
+}
+
+/// A precondition on one object, and the places of the roles whose objects have to meet it.
 struct OfThing {
     need: Condition<Argument>,
-    first: Verbs,
-    second: Verbs,
+    roles: Vec<usize>,
 }
 
 /// The preconditions of a vocabulary's verbs, each once; those on two objects at once are left out.
 #[derive(Default)]
 pub(crate) struct Needs {
-    verbs: Verbs,
-    /// The number of places in a list by the indices of verbs.
-    places: usize,
-    of_agent: Vec<(Condition<Argument>, Verbs)>,
-    without_first: Verbs,
-    without_second: Verbs,
+    /// By place, whether an object takes the role.
+    has_role: Vec<bool>,
+    of_agent: Vec<(Condition<Argument>, Vec<Verb>)>,
     /// Those that are told by the node of the thing, which costs least.
     of_node: Vec<OfThing>,
     of_thing: Vec<OfThing>,
@@ -94,10 +98,12 @@ fn is_of_two(need: Condition<Argument>) -> bool {
 
 impl Needs {
     pub(crate) fn read<'r, R: Iterator<Item = &'r ActionRule>>(rules: impl Fn() -> R) -> Self {
-        let verbs = |below: usize| rules().filter(|rule| rule.arity < below).map(|rule| rule.verb).collect::<Verbs>();
-        let places = rules().map(|rule| rule.verb.index() + 1).max().unwrap_or(0);
-        let (without_first, without_second) = (verbs(1), verbs(2));
-        let mut needs = Self { verbs: verbs(usize::MAX), places, without_first, without_second, ..Self::default() };
+        let mut needs = Self::default();
+        let verbs = rules().map(|rule| rule.verb.index() + 1).max().unwrap_or(0);
+        needs.has_role = vec![false; 2 * verbs];
+        for rule in rules() {
+            [First, Second].iter().take(rule.arity).for_each(|role| needs.has_role[place(rule.verb, *role)] = true);
+        }
         for (need, verb) in rules().flat_map(|rule| rule.preconditions.iter().map(|need| (*need, rule.verb))) {
             match need.ground(&NOTHING) {
                 Some(_) => needs.note_of_agent(need, verb),
@@ -105,8 +111,8 @@ impl Needs {
                 None => needs.note_of_thing(need, verb),
             }
         }
-        // The precondition that most verbs share comes first: if it fails, the fewest checks remain.
-        needs.of_thing.sort_by_key(|shared| Reverse(shared.first.len() + shared.second.len()));
+        // The precondition that most roles share comes first: if it fails, the fewest checks remain.
+        needs.of_thing.sort_by_key(|shared| Reverse(shared.roles.len()));
         let is_told = |of: &mut OfThing| matches!(of.need, C::Affords(..) | C::In(..) | C::NotIn(..));
         needs.of_node = needs.of_thing.extract_if(.., is_told).collect();
         needs
@@ -114,40 +120,77 @@ impl Needs {
 
     fn note_of_agent(&mut self, need: Condition<Argument>, verb: Verb) {
         match self.of_agent.iter_mut().find(|(known, _)| *known == need) {
-            Some((_, verbs)) => *verbs = verbs.with(verb),
-            None => self.of_agent.push((need, Verbs::from_words(&[verb]))),
+            Some((_, verbs)) => verbs.push(verb),
+            None => self.of_agent.push((need, vec![verb])),
         }
     }
 
     fn note_of_thing(&mut self, need: Condition<Argument>, verb: Verb) {
         let thing = both(NodeId(0));
-        let of_first = need.ground(&Action { target: None, ..thing }).is_some();
-        let at = self.of_thing.iter().position(|known| known.need.ground(&thing) == need.ground(&thing));
-        let at = at.unwrap_or_else(|| {
-            self.of_thing.push(OfThing { need, first: Verbs::EMPTY, second: Verbs::EMPTY });
-            self.of_thing.len() - 1
-        });
-        let verbs = if of_first { &mut self.of_thing[at].first } else { &mut self.of_thing[at].second };
-        *verbs = verbs.with(verb);
+        let is_of_first = need.ground(&Action { target: None, ..thing }).is_some();
+        let role = place(verb, if is_of_first { First } else { Second });
+        match self.of_thing.iter_mut().find(|known| known.need.ground(&thing) == need.ground(&thing)) {
+            Some(known) => known.roles.push(role),
+            None => self.of_thing.push(OfThing { need, roles: vec![role] }),
+        }
+    }
+
+    /// The objects that can take each role now.
+    fn open(&self, now: &Judge<'_, NoReason>, things: &[NodeId]) -> Open {
+        let mut open = Open { refused: vec![false; self.has_role.len() / 2], objects: Vec::new() };
+        for (need, verbs) in &self.of_agent {
+            if !need.ground(&NOTHING).is_some_and(|need| now.meets(&need)) {
+                verbs.iter().for_each(|verb| open.refused[verb.index()] = true);
+            }
+        }
+        open.objects = vec![Vec::new(); self.has_role.len()];
+        let nodes: Vec<&Node> = things.iter().filter_map(|id| now.graph.node(*id)).collect();
+        for block in nodes.chunks(BLOCK) {
+            let masks = self.masks(now, &open.refused, block);
+            for (objects, mask) in open.objects.iter_mut().zip(masks) {
+                objects.extend(bits(mask).map(|bit| block[bit].id()));
+            }
+        }
+        open
+    }
+
+    /// By place, which of a block of nodes can take the role: bit `i` is node `i`. Each precondition is checked at
+    /// most once per node, and not at all if no role of a verb depends on it any more.
+    fn masks(&self, now: &Judge<'_, NoReason>, refused: &[bool], nodes: &[&Node]) -> Vec<u64> {
+        let all = u64::MAX >> (BLOCK - nodes.len());
+        let is_asked = self.has_role.iter().enumerate().map(|(place, has)| *has && !refused[place / 2]);
+        let mut masks: Vec<u64> = is_asked.map(|is_asked| if is_asked { all } else { 0 }).collect();
+        for of in &self.of_node {
+            of.keep(&mut masks, mask_of(nodes.iter().map(|node| is_met_by(node, of.need))));
+        }
+        for of in &self.of_thing {
+            let asked = of.roles.iter().fold(0, |asked, role| asked | masks[*role]);
+            let meets = |bit: &usize| of.need.ground(&both(nodes[*bit].id())).is_some_and(|need| now.meets(&need));
+            of.keep(&mut masks, bits(asked).filter(meets).fold(0, |met, bit| met | 1 << bit));
+        }
+        masks
     }
 }
 
-/// For each verb the objects that can be its first, and those that can be its second.
+impl OfThing {
+    fn keep(&self, masks: &mut [u64], met: u64) {
+        self.roles.iter().for_each(|role| masks[*role] &= met);
+    }
+}
+
+/// The verbs that the agent cannot perform on anything, and by place the objects that can take each role.
 struct Open {
-    first: Vec<Vec<NodeId>>,
-    second: Vec<Vec<NodeId>>,
+    refused: Vec<bool>,
+    objects: Vec<Vec<NodeId>>,
 }
 
 impl Open {
-    fn new(now: &Judge<'_, NoReason>, needs: &Needs, verbs: Verbs, things: &[NodeId]) -> Self {
-        let none = || vec![Vec::new(); needs.places];
-        let mut open = Self { first: none(), second: none() };
-        for node in things.iter().filter_map(|id| now.graph.node(*id)) {
-            let (first, second) = open_to(now, needs, verbs, node);
-            first.iter().for_each(|verb| open.first[verb.index()].push(node.id()));
-            second.iter().for_each(|verb| open.second[verb.index()].push(node.id()));
-        }
-        open
+    fn is_refused(&self, verb: Verb) -> bool {
+        self.refused[verb.index()]
+    }
+
+    fn objects_of(&self, verb: Verb, role: Role) -> &[NodeId] {
+        &self.objects[place(verb, role)]
     }
 
     /// The actions of a verb with two objects.
@@ -155,29 +198,18 @@ impl Open {
         let (verb, needs) = (rule.verb, rule.preconditions.iter());
         let of_two: Vec<Condition<Argument>> = needs.filter(|need| is_of_two(**need)).copied().collect();
         let met = move |a: &Action| of_two.iter().filter_map(|need| need.ground(a)).all(|need| now.meets(&need));
-        let seconds = &self.second[verb.index()];
+        let seconds = self.objects_of(verb, Second);
         let with = move |&x: &NodeId| seconds.iter().filter(move |y| **y != x).map(move |&y| Action::two(verb, x, y));
-        self.first[verb.index()].iter().flat_map(with).filter(met)
+        self.objects_of(verb, First).iter().flat_map(with).filter(met)
     }
 }
 
-/// The verbs that can have an object as their first and as their second. Each precondition is checked at most
-/// once, and not at all if no remaining verb depends on it.
-fn open_to(now: &Judge<'_, NoReason>, needs: &Needs, verbs: Verbs, node: &Node) -> (Verbs, Verbs) {
-    let thing = both(node.id());
-    let (mut first, mut second) = (verbs.minus(needs.without_first), verbs.minus(needs.without_second));
-    for of in &needs.of_node {
-        if !is_met_by(node, of.need) {
-            (first, second) = (first.minus(of.first), second.minus(of.second));
-        }
-    }
-    for of in &needs.of_thing {
-        let matters = first.intersects(of.first) || second.intersects(of.second);
-        if matters && !of.need.ground(&thing).is_some_and(|need| now.meets(&need)) {
-            (first, second) = (first.minus(of.first), second.minus(of.second));
-        }
-    }
-    (first, second)
+/// The number of nodes that are looked at together, one bit each.
+const BLOCK: usize = u64::BITS as usize;
+
+/// The numbers of a block that is no longer than [`BLOCK`], as bits.
+fn mask_of(flags: impl Iterator<Item = bool>) -> u64 {
+    flags.enumerate().fold(0, |mask, (bit, flag)| mask | u64::from(flag) << bit)
 }
 
 /// Whether a node meets a need that it tells itself; others it does not refuse.

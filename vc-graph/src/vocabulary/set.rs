@@ -122,7 +122,7 @@ fn place<W: Word>(word: W) -> (usize, u64) {
 }
 
 /// The numbers of the bits that are set, in ascending order.
-fn bits(mut left: u64) -> impl Iterator<Item = usize> {
+pub(crate) fn bits(mut left: u64) -> impl Iterator<Item = usize> {
     std::iter::from_fn(move || {
         let bit = left.trailing_zeros() as usize;
         left &= left.wrapping_sub(1);
