@@ -38,6 +38,24 @@ pub enum SpaceError {
     /// The width or height of a portal is not positive.
     #[error("a portal between {0} and {1} is {2} m wide and {3} m high: both must be positive")]
     NoOpening(RegionId, RegionId, f32, f32),
+    /// Neither side of a portal has the stop.
+    #[error("a portal between {} and {} is at stop {stop}, and neither of them moves to one: see `Region::moving`", .regions[0], .regions[1])]
+    NoStop {
+        /// The regions.
+        regions: [RegionId; 2],
+        /// The stop, counted from 0.
+        stop: u32,
+    },
+    /// A region that does not move was to be at a stop.
+    #[error("{region} has no stop {stop}; it has {stops}, counted from 0")]
+    StopUnknown {
+        /// The region.
+        region: RegionId,
+        /// The stop.
+        stop: u32,
+        /// The number of its stops.
+        stops: usize,
+    },
     /// The two sides of a portal are not at the same place, or do not face each other.
     #[error("the sides of a portal between {0} and {1} are {2:.2} m and {3:.0} degrees apart")]
     SidesApart(RegionId, RegionId, f64, f64),

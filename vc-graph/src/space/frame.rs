@@ -15,7 +15,8 @@ use crate::portable::Portable;
 /// let seen = home.to(&street) * Pose::translation(1.0, 0.0, 0.0);
 /// assert_eq!(seen.translation.vector.as_slice(), [1.0, -5.0, 3.0]);
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
+#[serde(from = "([f64; 3], f64)", into = "([f64; 3], f64)")]
 pub struct RegionFrame {
     /// The origin, metres.
     pub origin: Point3<f64>,
@@ -63,6 +64,19 @@ impl RegionFrame {
 
     fn isometry(&self) -> Isometry3<f64> {
         Isometry3::from_parts(self.origin.coords.into(), rotation(self.heading))
+    }
+}
+
+/// Origin and heading.
+impl From<([f64; 3], f64)> for RegionFrame {
+    fn from((origin, heading): ([f64; 3], f64)) -> Self {
+        Self::new(origin, heading)
+    }
+}
+
+impl From<RegionFrame> for ([f64; 3], f64) {
+    fn from(frame: RegionFrame) -> Self {
+        (frame.origin.coords.into(), frame.heading)
     }
 }
 

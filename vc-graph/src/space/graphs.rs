@@ -3,7 +3,9 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use super::{NumberBlock, PortalId, PortalState, RegionId, Space, SpaceError};
+use serde::{Deserialize, Serialize};
+
+use super::{NumberBlock, PortalId, PortalState, RegionFrame, RegionId, Space, SpaceError};
 use crate::{Action, AssetLibrary, ChangeSet, Digest, Edit, Label, Node, NodeId, Refusal, SceneGraph, State, rule};
 
 /// The numbers that a region whose block is full gets at a time.
@@ -28,6 +30,17 @@ pub struct RegionGraphs {
     pub(super) moved: Arc<BTreeMap<NodeId, RegionId>>,
     /// The regions that go on with numbers of the overflow, by their slices.
     pub(super) slices: Arc<[RegionId]>,
+    /// Where the regions that move are, if not at their first stop.
+    pub(super) stops: Arc<BTreeMap<RegionId, Position>>,
+}
+
+/// Where a region that moves is.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub(super) enum Position {
+    /// At a stop, counted from 0.
+    At(u32),
+    /// Between stops: no portal of it is there.
+    Between(RegionFrame),
 }
 
 /// A scene, and the same as it was made.
@@ -54,8 +67,8 @@ pub(super) struct Dormant {
 impl RegionGraphs {
     /// A world in which no region has been active.
     pub fn new(space: Arc<Space>) -> Self {
-        let (dormant, moved) = Default::default();
-        Self { space, active: BTreeMap::new(), dormant, moved, slices: Arc::new([]) }
+        let (dormant, moved, stops) = Default::default();
+        Self { space, active: BTreeMap::new(), dormant, moved, slices: Arc::new([]), stops }
     }
 
     /// The plan of the world.
@@ -167,10 +180,73 @@ impl RegionGraphs {
         self.node(id).map_or_else(|| Label { class: "?".into(), id }, Node::label)
     }
 
-    /// Whether a portal lets people, views and sounds through now. The leaf of a region that has never been active is shut.
+    /// Whether a portal lets people, views and sounds through now. The leaf of a region that has never been active is shut;
+    /// so is a portal whose region has moved away.
     pub fn portal(&self, portal: PortalId) -> Option<PortalState> {
         let plan = self.space.portal(portal)?;
+        let is_there = plan.sides.iter().all(|side| self.is_at(side.region, plan.stop));
+        if !is_there {
+            return Some(PortalState::CLOSED);
+        }
         Some(plan.state(plan.leaf.is_some_and(|leaf| self.is_open(leaf))))
+    }
+
+    /// Whether a region is where its portals of a stop are; one that does not move always is.
+    fn is_at(&self, region: RegionId, stop: u32) -> bool {
+        let moves = self.space.region(region).is_some_and(|region| !region.stops.is_empty());
+        !moves || self.stop_of(region) == Some(stop)
+    }
+
+    /// The stop at which a region that moves is, counted from 0; `None` while it is between two, or if it does not move.
+    pub fn stop_of(&self, region: RegionId) -> Option<u32> {
+        self.space.region(region).filter(|region| !region.stops.is_empty())?;
+        match self.stops.get(&region) {
+            None => Some(0),
+            Some(Position::At(stop)) => Some(*stop),
+            Some(Position::Between(_)) => None,
+        }
+    }
+
+    /// Where a region is now: in its frame, or wherever it has moved to.
+    pub fn frame(&self, region: RegionId) -> Option<RegionFrame> {
+        let plan = self.space.region(region)?;
+        Some(match self.stops.get(&region) {
+            None => plan.frame,
+            Some(Position::At(stop)) => plan.frame_at(*stop as usize),
+            Some(Position::Between(frame)) => *frame,
+        })
+    }
+
+    /// Takes a region that moves to one of its stops, with all that is in it.
+    ///
+    /// # Errors
+    /// [`SpaceError::StopUnknown`].
+    pub fn stop_at(&mut self, region: RegionId, stop: u32) -> Result<(), SpaceError> {
+        let stops = self.space.region(region).map_or(0, |plan| plan.stops.len());
+        if stop as usize >= stops {
+            return Err(SpaceError::StopUnknown { region, stop, stops });
+        }
+        let positions = Arc::make_mut(&mut self.stops);
+        if stop == 0 {
+            positions.remove(&region)
+        } else {
+            positions.insert(region, Position::At(stop))
+        };
+        Ok(())
+    }
+
+    /// Takes a region that moves somewhere between its stops, where none of its portals is.
+    ///
+    /// # Errors
+    /// [`SpaceError::StopUnknown`] if it does not move, [`SpaceError::NotFinite`].
+    pub fn move_between(&mut self, region: RegionId, frame: RegionFrame) -> Result<(), SpaceError> {
+        let plan = self.space.region(region).filter(|plan| !plan.stops.is_empty());
+        let plan = plan.ok_or(SpaceError::StopUnknown { region, stop: 0, stops: 0 })?;
+        if !frame.is_finite() {
+            return Err(SpaceError::NotFinite(plan.name.to_string()));
+        }
+        Arc::make_mut(&mut self.stops).insert(region, Position::Between(frame));
+        Ok(())
     }
 
     fn is_open(&self, leaf: NodeId) -> bool {
@@ -210,6 +286,7 @@ impl PartialEq for RegionGraphs {
         self.space == other.space
             && scenes().eq(other.active.iter().map(|(id, active)| (id, &active.graph)))
             && (&self.dormant, &self.moved, &self.slices) == (&other.dormant, &other.moved, &other.slices)
+            && self.stops == other.stops
     }
 }
 

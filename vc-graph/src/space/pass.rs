@@ -45,8 +45,8 @@ impl RegionGraphs {
         let is_room = |id: &NodeId| entered.rooms().contains(id);
         let room = into.or_else(|| entered.rooms().first().copied()).filter(is_room).ok_or(PassError::NoRoom(to))?;
         let nodes = free_to_go(left, node, from)?;
-        let frames = self.space().region(from).zip(self.space().region(to));
-        let shift = frames.map_or_else(Pose::identity, |(from, to)| from.frame.to(&to.frame));
+        let frames = self.frame(from).zip(self.frame(to));
+        let shift = frames.map_or_else(Pose::identity, |(from, to)| from.to(&to));
         let load = Load::new(left, &nodes);
         let lacking = load.nodes.iter().find_map(|node| Some((node, entered.vocabulary().word_lacking(node)?)));
         if let Some((node, word)) = lacking {

@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use super::{NumberBlock, Portal, PortalId, Region, RegionId, SpaceError};
+use super::{NumberBlock, Portal, PortalId, Region, RegionFrame, RegionId, SpaceError};
 use crate::geometry::is_finite;
 use crate::hash::Digester;
 use crate::{Digest, NodeId, Word};
@@ -105,10 +105,14 @@ impl Space {
             digester.text(region.kind.as_str()).text(&region.name).words(numbers.map(u64::from));
             let origin = region.frame.origin.iter().copied();
             digester.words(origin.chain([region.frame.heading]).map(f64::to_bits));
+            for stop in region.stops.iter() {
+                digester.words(stop.origin.iter().copied().chain([stop.heading]).map(f64::to_bits));
+            }
         }
         for portal in &self.portals {
             digester.text(portal.kind.as_str()).reals([portal.width, portal.height]).word(u64::from(portal.glazed));
-            digester.word(portal.leaf.map_or(u64::MAX, |leaf| u64::from(leaf.0)));
+            digester.word(portal.leaf.map_or(u64::MAX, |leaf| u64::from(leaf.0))).word(u64::from(portal.stop));
+            digester.reals(portal.stairs.iter().flat_map(|point| point.coords.iter().copied().collect::<Vec<f32>>()));
             for side in &portal.sides {
                 let pose = side.pose.translation.vector.iter().chain(side.pose.rotation.coords.iter()).copied();
                 digester.word(u64::from(side.region.0)).reals(pose);
@@ -158,7 +162,7 @@ impl SpaceBuilder {
     pub fn add(&mut self, mut region: Region) -> Result<RegionId, SpaceError> {
         let name = || region.name.to_string();
         let outer = match region.parent {
-            None => super::RegionFrame::WORLD,
+            None => RegionFrame::WORLD,
             Some(parent) => match self.regions.get(parent.0 as usize) {
                 Some(outer) => outer.frame,
                 None => return Err(SpaceError::NoSuchParent { name: name(), parent }),
@@ -172,7 +176,11 @@ impl SpaceBuilder {
         if count > left {
             return Err(SpaceError::NumbersExhausted { name: name(), count, left });
         }
-        region.frame = frame;
+        let stops: Vec<RegionFrame> = region.stops.iter().map(|stop| stop.within(&outer)).collect();
+        if !stops.iter().all(RegionFrame::is_finite) {
+            return Err(SpaceError::NotFinite(name()));
+        }
+        (region.frame, region.stops) = (frame, stops.into());
         region.numbers.first = self.used + 1;
         self.used += count;
         self.regions.push(region);
@@ -183,7 +191,7 @@ impl SpaceBuilder {
     ///
     /// # Errors
     /// [`SpaceError::NoScene`], [`SpaceError::JoinsItself`], [`SpaceError::NoOpening`], [`SpaceError::NotFinite`],
-    /// [`SpaceError::SidesApart`], [`SpaceError::ForeignLeaf`].
+    /// [`SpaceError::NoStop`], [`SpaceError::SidesApart`], [`SpaceError::ForeignLeaf`].
     pub fn join(&mut self, portal: Portal) -> Result<PortalId, SpaceError> {
         let [one, other] = &portal.sides;
         let (first, second) = (self.with_scene(one.region)?, self.with_scene(other.region)?);
@@ -198,7 +206,14 @@ impl SpaceBuilder {
         {
             return Err(SpaceError::NotFinite(region.name.to_string()));
         }
-        let (here, there) = (first.frame.pose(&one.pose), second.frame.pose(&other.pose));
+        if !portal.stairs.iter().flat_map(|point| point.iter()).all(|value| value.is_finite()) {
+            return Err(SpaceError::NotFinite(first.name.to_string()));
+        }
+        let stop = portal.stop as usize;
+        if stop > 0 && ![first, second].iter().any(|region| stop < region.stops.len()) {
+            return Err(SpaceError::NoStop { regions: [one.region, other.region], stop: portal.stop });
+        }
+        let (here, there) = (first.frame_at(stop).pose(&one.pose), second.frame_at(stop).pose(&other.pose));
         let apart = (here.translation.vector - there.translation.vector).norm();
         let facing = (here * Vector3::x()).angle(&(there * -Vector3::x()));
         let tilted = (here * Vector3::z()).angle(&(there * Vector3::z()));

@@ -1,6 +1,9 @@
 //! Portals: the openings through which regions are joined.
 
 use std::fmt;
+use std::sync::Arc;
+
+use nalgebra::{Point3, distance};
 
 use super::RegionId;
 use crate::vocabulary::vocabulary;
@@ -55,6 +58,11 @@ pub struct PortalState {
     pub audible: bool,
 }
 
+impl PortalState {
+    /// Nothing goes through.
+    pub const CLOSED: Self = Self { passable: false, transparent: false, audible: false };
+}
+
 /// An opening between two regions.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
@@ -71,18 +79,40 @@ pub struct Portal {
     pub glazed: bool,
     /// The node whose state says whether it is open; without one it is what its kind is: a passage is open, a window shut.
     pub leaf: Option<NodeId>,
+    /// The stop of its moving region at which it is there, counted from 0.
+    pub stop: u32,
+    /// The way over stairs to its threshold, from their foot on, in the frame of its first side; empty without stairs.
+    pub stairs: Arc<[Point3<f32>]>,
 }
 
 impl Portal {
     /// A portal of a kind between two sides, of a clear width and height in metres, without a leaf. Windows are of glass.
     pub fn new(kind: PortalKind, sides: [PortalSide; 2], width: f32, height: f32) -> Self {
-        Self { kind, sides, width, height, glazed: kind == PortalKind::Window, leaf: None }
+        let glazed = kind == PortalKind::Window;
+        Self { kind, sides, width, height, glazed, leaf: None, stop: 0, stairs: Arc::new([]) }
     }
 
     /// With a leaf: the node of a door or window.
     #[must_use]
     pub fn with_leaf(self, leaf: NodeId) -> Self {
         Self { leaf: Some(leaf), ..self }
+    }
+
+    /// As one of a region that [moves](super::Region::moving): it is there while the region is at this stop, counted from 0.
+    #[must_use]
+    pub fn at_stop(self, stop: u32) -> Self {
+        Self { stop, ..self }
+    }
+
+    /// As the upper end of stairs in the region of its first side: their way, from the foot to the threshold, metres.
+    #[must_use]
+    pub fn over_stairs(self, way: impl Into<Arc<[Point3<f32>]>>) -> Self {
+        Self { stairs: way.into(), ..self }
+    }
+
+    /// The length of its stairs, metres; 0 without stairs.
+    pub fn climb(&self) -> f32 {
+        self.stairs.windows(2).map(|step| distance(&step[0], &step[1])).sum()
     }
 
     /// The side of a region.

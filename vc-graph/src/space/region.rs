@@ -62,13 +62,15 @@ pub struct Region {
     pub frame: RegionFrame,
     /// The numbers of nodes that are made in it; without numbers until the space is built.
     pub numbers: NumberBlock,
+    /// The frames in which it stops, if it moves, as the cabin of a lift; its frame is the first.
+    pub stops: Arc<[RegionFrame]>,
 }
 
 impl Region {
     /// A group of regions, at the origin of what it is part of.
     pub fn new(kind: RegionKind, name: impl Into<Arc<str>>) -> Self {
         let numbers = NumberBlock { first: 0, count: 0 };
-        Self { kind, name: name.into(), parent: None, frame: RegionFrame::WORLD, numbers }
+        Self { kind, name: name.into(), parent: None, frame: RegionFrame::WORLD, numbers, stops: Arc::new([]) }
     }
 
     /// As part of another region.
@@ -89,10 +91,23 @@ impl Region {
         self.at(RegionFrame::new([x, y, z], 0.0))
     }
 
+    /// As the cabin of a lift or whatever else moves between frames of the region that it is part of, the first of which is
+    /// its own.
+    #[must_use]
+    pub fn moving(self, stops: impl Into<Arc<[RegionFrame]>>) -> Self {
+        let stops = stops.into();
+        Self { frame: stops.first().copied().unwrap_or(self.frame), stops, ..self }
+    }
+
     /// With a scene, in which at most so many nodes can be made before it goes on with numbers of the world.
     #[must_use]
     pub fn with_numbers(self, count: u32) -> Self {
         Self { numbers: NumberBlock { first: 0, count }, ..self }
+    }
+
+    /// Its frame at a stop, counted from 0; that of a region that does not move, always.
+    pub fn frame_at(&self, stop: usize) -> RegionFrame {
+        self.stops.get(stop).copied().unwrap_or(self.frame)
     }
 
     /// Whether it has a scene.

@@ -45,19 +45,37 @@ impl Space {
                 return Some(search.way(step.entered));
             }
             for portal in self.portals_of(region).filter(|portal| passable(*portal)) {
-                let Some(side) = self.portal(portal).and_then(|plan| plan.across(region)) else { continue };
-                let threshold = Point3::from(side.pose.translation.vector);
-                let Some(at) = self.in_world(side.region, &threshold) else { continue };
-                let walked = step.walked + distance(&step.at, &at);
-                search.reach(Step { entered: (side.region, Some(portal)), at, walked, before: step.entered });
+                let Some((into, at, length)) = self.through(portal, region, &step.at) else { continue };
+                let walked = step.walked + length;
+                search.reach(Step { entered: (into, Some(portal)), at, walked, before: step.entered });
             }
         }
         None
     }
 
+    /// The region beyond a portal, where in the world one is then, and the length of the way there from a point of the
+    /// world: up its stairs, or through it and down them.
+    fn through(&self, portal: PortalId, from: RegionId, at: &Point3<f64>) -> Option<(RegionId, Point3<f64>, f64)> {
+        let plan = self.portal(portal)?;
+        let (side, stop) = (plan.across(from)?, plan.stop as usize);
+        let place = |region, point: &Point3<f32>| self.in_world_at(region, stop, point);
+        let threshold = place(side.region, &Point3::from(side.pose.translation.vector))?;
+        let foot = plan.stairs.first().and_then(|foot| place(plan.sides[0].region, foot));
+        let climb = f64::from(plan.climb());
+        Some(match foot {
+            None => (side.region, threshold, distance(at, &threshold)),
+            Some(foot) if from == plan.sides[0].region => (side.region, threshold, distance(at, &foot) + climb),
+            Some(foot) => (side.region, foot, distance(at, &threshold) + climb),
+        })
+    }
+
     /// A point of a region in the world.
     fn in_world(&self, region: RegionId, point: &Point3<f32>) -> Option<Point3<f64>> {
-        let point = self.region(region)?.frame.point(&point.cast());
+        self.in_world_at(region, 0, point)
+    }
+
+    fn in_world_at(&self, region: RegionId, stop: usize, point: &Point3<f32>) -> Option<Point3<f64>> {
+        let point = self.region(region)?.frame_at(stop).point(&point.cast());
         Some(point).filter(|point| point.iter().all(|value| value.is_finite()))
     }
 }

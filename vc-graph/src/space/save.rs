@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
-use super::graphs::Dormant;
+use super::graphs::{Dormant, Position};
 use super::{NumberBlock, RegionGraphs, RegionId, Space, WorldFileError};
 use crate::format::native;
 use crate::{ClassTable, Digest, NodeId, SceneGraph};
@@ -20,6 +20,8 @@ struct File {
     active: Vec<RegionId>,
     moved: Vec<(NodeId, RegionId)>,
     slices: Vec<RegionId>,
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    stops: Vec<(RegionId, Position)>,
     regions: Vec<RegionFile>,
 }
 
@@ -68,6 +70,7 @@ impl RegionGraphs {
             active: self.active().collect(),
             moved: self.moved.iter().map(|(node, region)| (*node, *region)).collect(),
             slices: self.slices.to_vec(),
+            stops: self.stops.iter().map(|(region, position)| (*region, *position)).collect(),
             regions: all.iter().map(|(region, dormant)| RegionFile::new(*region, dormant)).collect(),
         };
         // Plain types of this crate, for which serialisation cannot fail.
@@ -102,6 +105,12 @@ impl RegionGraphs {
         }
         let dormant = file.regions.into_iter().map(|region| Ok((region.region, region.read(classes)?)));
         world.dormant = Arc::new(dormant.collect::<Result<_, WorldFileError>>()?);
+        for (region, position) in file.stops {
+            match position {
+                Position::At(stop) => world.stop_at(region, stop)?,
+                Position::Between(frame) => world.move_between(region, frame)?,
+            }
+        }
         (world.moved, world.slices) = (Arc::new(file.moved.into_iter().collect()), file.slices.into());
         for region in file.active {
             world.insert(region, made(region))?;

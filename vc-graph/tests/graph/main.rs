@@ -14,6 +14,7 @@ mod goal_texts;
 mod goal_traces;
 mod goals;
 mod hostile;
+mod lift;
 mod mesh;
 mod odd_files;
 mod own_words;
