@@ -2,7 +2,7 @@
 //!
 //! `cargo run --release --example lint -- FILE...` takes activities in BDDL (`.bddl`), lists of tasks (`.txt`)
 //! and VirtualCity's task files (`.json`); for PDDL (`.pddl`) it reports whether the file can be parsed; a
-//! folder stands for all activities in it. `--remarks` also shows remarks that are not errors, `--scene` gives
+//! folder stands for all activities in it and in its folders, links aside. `--remarks` also shows remarks that are not errors, `--scene` gives
 //! the scene with the objects. Unreadable files and lines are named, and the rest is checked. The exit status
 //! is 1 if there are errors, and 2 if something could not be read.
 
@@ -50,7 +50,7 @@ fn main() -> Result<ExitCode, Complaint> {
         let kinds: BTreeSet<FindingKind> = found.into_iter().map(|f| f.kind).collect();
         kinds.into_iter().for_each(|kind| *tally.hits.entry(kind).or_default() += 1);
     }
-    say!("\n{} files", files.len());
+    say!("\n{} {}", files.len(), if files.len() == 1 { "file" } else { "files" });
     tally.hits.iter().for_each(|(kind, number)| say!("{number:6} with {kind}"));
     if tally.unread > 0 {
         say!("{:6} files or lines could not be read", tally.unread);
@@ -95,7 +95,8 @@ fn collect(path: &Path, files: &mut Vec<PathBuf>, tally: &mut Tally) {
     // Domain files are not tasks.
     let task = |p: &&PathBuf| {
         let name = p.file_name().unwrap_or_default().to_string_lossy();
-        p.is_dir() || (name.ends_with(".bddl") && !name.starts_with("domain"))
+        // A link to a folder above would lead round and round.
+        (p.is_dir() && !p.is_symlink()) || (name.ends_with(".bddl") && !name.starts_with("domain"))
     };
     entries.iter().filter(task).for_each(|entry| collect(entry, files, tally));
     if files.len() == before {

@@ -2,6 +2,8 @@
 //!
 //! `cargo run --release --example own_classes`
 
+#[path = "support/no_options.rs"]
+mod no_options;
 mod support;
 
 use std::sync::Arc;
@@ -18,6 +20,7 @@ robot_dock | | robot_charger | furniture | surface | 0.4 0.4 0.1 | 2 | | | livin
 ";
 
 fn main() -> Result<(), Complaint> {
+    no_options::no_options();
     let classes = Arc::new(ClassTable::builtin().extended("mine.txt", CLASSES)?);
     let mut scene = SceneBuilder::with_classes("flat", classes);
     let (bathroom, living) = (scene.add(Draft::new("bathroom"))?, scene.add(Draft::new("livingroom"))?);

@@ -2,6 +2,8 @@
 //!
 //! `cargo run --release --example own_format`
 
+#[path = "support/no_options.rs"]
+mod no_options;
 mod support;
 
 use std::collections::HashMap;
@@ -48,6 +50,7 @@ fn read(text: &str) -> Result<SceneGraph, ReadError> {
 }
 
 fn main() -> Result<(), Complaint> {
+    no_options::no_options();
     let mut world = Simulator::new(read(TEXT)?);
     let agent = world.graph().agents()[0];
     for action in ["walk cup.3", "grab cup.3", "walk fridge.4", "open fridge.4", "put_in cup.3 fridge.4"] {

@@ -2,6 +2,8 @@
 //!
 //! `cargo run --release --example own_policy` runs it beside the planner on the same goal in the same home.
 
+#[path = "support/no_options.rs"]
+mod no_options;
 mod support;
 
 use std::collections::{BTreeSet, VecDeque};
@@ -80,6 +82,7 @@ impl Policy for Sweep {
 }
 
 fn main() -> Result<(), Complaint> {
+    no_options::no_options();
     let mut scene = SceneBuilder::from_graph(Apartment::from_seed(Seed(9))?.scene());
     let room = scene.graph().rooms()[0];
     scene.add_in(room, Draft::new("character"))?;

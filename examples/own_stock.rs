@@ -2,6 +2,8 @@
 //!
 //! `cargo run --release --example own_stock`
 
+#[path = "support/no_options.rs"]
+mod no_options;
 mod support;
 
 use support::{Complaint, say};
@@ -23,6 +25,7 @@ impl Stock for Varied {
 }
 
 fn main() -> Result<(), Complaint> {
+    no_options::no_options();
     let home = Apartment::from_seed(Seed(9))?.scene();
     let benchmark = Benchmark::v1();
     let activity = benchmark.get("put_fridge-02").ok_or_else(|| Complaint::new("the benchmark has no such task"))?;

@@ -3,6 +3,8 @@
 //!
 //! `cargo run --release --example own_verb`
 
+#[path = "support/no_options.rs"]
+mod no_options;
 mod support;
 
 use support::{Complaint, say};
@@ -21,6 +23,7 @@ predicate inviting ?x | is: Shiny(?x) & exists ?b: book. On(?b, ?x)
 ";
 
 fn main() -> Result<(), Complaint> {
+    no_options::no_options();
     let mut scene = Apartment::from_seed(Seed(9))?.scene();
     scene.set_vocabulary(Vocabulary::parse("words.txt", WORDS)?);
     let (polishable, tables): (Property, _) = ("polishable".parse()?, scene.of_class("table"));

@@ -42,7 +42,7 @@ pub(crate) struct Options {
     #[arg(long)]
     scene: Option<PathBuf>,
     /// A task of the library, by how its title begins, in capitals or not.
-    #[arg(long, conflicts_with = "goal")]
+    #[arg(long, conflicts_with = "goal", value_parser = clap::builder::NonEmptyStringValueParser::new())]
     task: Option<String>,
     /// The goal, such as "Inside(plate, dishwasher), 2 & Closed(dishwasher)".
     #[arg(long)]

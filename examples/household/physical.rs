@@ -46,7 +46,7 @@ pub(crate) fn main(options: &Options) -> Result<(), Complaint> {
     }
     let task = choose(options, &home, me)?;
     say!("home   {name}: {} rooms, {} nodes", home.graph().rooms().len(), home.graph().len());
-    say!("agent  {} in {}", home.graph().label(me), room(&home, me));
+    home.agents().iter().for_each(|agent| say!("agent  {} in {}", home.graph().label(*agent), room(&home, *agent)));
     say!("task   {}: {}\n", task.title, task.goal);
     let usual = RecordOptions::default();
     let (width, finer) = (options.width.unwrap_or(usual.width), options.finer.unwrap_or(usual.finer));
