@@ -11,7 +11,7 @@ use crate::object::joinery::{Swing, swing};
 use crate::solid::{Axis, Build, P, fit, half_dims, plate_with_hole};
 
 /// How far trims protrude from the wall, and how far they overlap it.
-const PROUD: f32 = 0.01;
+pub(super) const PROUD: f32 = 0.01;
 const OVERLAP: f32 = 0.05;
 
 /// The properties of a leaf.
@@ -244,7 +244,7 @@ fn frame(b: &mut Build<'_>, post: f32, mat: MaterialId, u: f32) {
 }
 
 /// The lining of the opening, `post` thick, and the trims.
-fn frame_of(b: &mut Build<'_>, post: f32, mat: MaterialId, proud: f32) {
+pub(super) fn frame_of(b: &mut Build<'_>, post: f32, mat: MaterialId, proud: f32) {
     let (x, y, h) = half_dims(b);
     let over = OVERLAP * (proud / PROUD);
     for cy in [(-y, -y + post), (y - post, y)] {

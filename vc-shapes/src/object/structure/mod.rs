@@ -1,8 +1,9 @@
 //! Parts of the building in walls: doors, windows with their curtains and blinds, switches, stairs
-//! and railings.
+//! and railings, doors and buttons of lifts.
 
 mod door;
 mod fixed;
+mod lift;
 mod window;
 
 use super::{Generator, indoor};
@@ -12,6 +13,7 @@ pub(super) const GENERATORS: &[Generator] = &[
     indoor("main_door", 6, door::main_door),
     indoor("sliding_door", 5, door::sliding_door),
     indoor("balcony_door", 5, door::balcony_door),
+    indoor("lift_door", 3, lift::lift_door),
     indoor("garage_door", 3, door::garage_door),
     indoor("doorjamb", 2, door::doorjamb),
     indoor("doorknob", 3, door::doorknob),
@@ -31,4 +33,7 @@ pub(super) const GENERATORS: &[Generator] = &[
     indoor("banister", 3, fixed::railing),
     indoor("stairs", 4, fixed::stairs),
     indoor("ventilation_grille", 4, fixed::ventilation_grille),
+    indoor("lift_panel", 2, lift::lift_panel),
+    indoor("call_button", 2, lift::call_button),
+    indoor("floor_button", 2, lift::floor_button),
 ];
