@@ -187,6 +187,11 @@ impl SpaceBuilder {
         Ok(RegionId(self.regions.len() as u32 - 1))
     }
 
+    /// A region that was added: with its frame in the world and its block of numbers, from which leaves of portals are named.
+    pub fn region(&self, id: RegionId) -> Option<&Region> {
+        self.regions.get(id.0 as usize)
+    }
+
     /// Adds a portal between two regions that have scenes.
     ///
     /// # Errors
@@ -242,7 +247,7 @@ impl SpaceBuilder {
     }
 
     fn with_scene(&self, id: RegionId) -> Result<&Region, SpaceError> {
-        self.regions.get(id.0 as usize).filter(|region| region.has_scene()).ok_or(SpaceError::NoScene(id))
+        self.region(id).filter(|region| region.has_scene()).ok_or(SpaceError::NoScene(id))
     }
 }
 
