@@ -56,6 +56,27 @@ impl Area {
         Self { x0: self.x0 - by, y0: self.y0 - by, x1: self.x1 + by, y1: self.y1 + by }
     }
 
+    /// The smallest rectangle with both in it.
+    pub(crate) fn around_both(self, other: Self) -> Self {
+        Self {
+            x0: self.x0.min(other.x0),
+            y0: self.y0.min(other.y0),
+            x1: self.x1.max(other.x1),
+            y1: self.y1.max(other.y1),
+        }
+    }
+
+    /// The rectangle moved.
+    pub(crate) fn moved(&self, (x, y): (f32, f32)) -> Self {
+        Self { x0: self.x0 + x, y0: self.y0 + y, x1: self.x1 + x, y1: self.y1 + y }
+    }
+
+    /// The rectangle turned about the origin, by the turn from X to a direction.
+    pub(crate) fn turned(&self, by: Facing) -> Self {
+        let (a, b) = (by.turn((self.x0, self.y0)), by.turn((self.x1, self.y1)));
+        Self { x0: a.0.min(b.0), y0: a.1.min(b.1), x1: a.0.max(b.0), y1: a.1.max(b.1) }
+    }
+
     pub(crate) fn holds(&self, other: &Self) -> bool {
         other.x0 >= self.x0 - SLACK
             && other.y0 >= self.y0 - SLACK
@@ -91,6 +112,11 @@ impl Facing {
 
     pub(crate) fn turned(self, quarters: u8) -> Self {
         Self((self.0 + quarters) % 4)
+    }
+
+    /// A point turned about the origin, by the turn from X to this direction.
+    pub(crate) fn turn(self, (x, y): (f32, f32)) -> (f32, f32) {
+        [(x, y), (-y, x), (-x, -y), (y, -x)][usize::from(self.0 % 4)]
     }
 
     pub(crate) fn is_along_x(self) -> bool {

@@ -1,4 +1,4 @@
-//! Procedural generation of apartments from a seed: the same bytes on every machine.
+//! Procedural generation of apartments and small buildings from a seed: the same bytes on every machine.
 //!
 //! [`Apartment::from_seed`] generates a home: rooms with doors and windows, furniture, and clutter in its
 //! habitual places. [`Apartment::generate`] generates one for a [`Specification`], or reports the
@@ -16,6 +16,8 @@
 //! # Ok::<(), vc_procgen::SpecificationError>(())
 //! ```
 //!
+//! [`Building`] is a plan of regions, homes among them, and makes the scene of each.
+//!
 //! Objects, materials and [`Style`](vc_shapes::Style)s are those of [`vc_shapes`]; [`dress`] gives shapes to scenes
 //! of boxes.
 
@@ -23,6 +25,7 @@
 
 mod apartment;
 mod area;
+mod building;
 mod check;
 mod clutter;
 mod draft;
@@ -46,6 +49,7 @@ mod violation;
 
 pub use apartment::Apartment;
 pub use area::{Area, Facing};
+pub use building::{Building, BuildingError, BuildingSpecification, BuildingStorey, BuildingViolation};
 pub use error::SpecificationError;
 pub use fingerprint::{Fingerprint, FingerprintError};
 pub use item::{Item, Support};

@@ -5,8 +5,9 @@ use std::sync::Arc;
 
 use nalgebra::Vector3;
 use vc_graph::asset::Hold;
+use vc_graph::space::NumberBlock;
 use vc_graph::{
-    AssetId, Bounds, BoundsFrame, ClassTable, Draft, Edge, EditError, ObjectRole, Pose, Relation, SceneBuilder,
+    AssetId, Bounds, BoundsFrame, ClassTable, Draft, Edge, EditError, NodeId, ObjectRole, Pose, Relation, SceneBuilder,
     SceneGraph, State,
 };
 use vc_shapes::object::Object;
@@ -37,41 +38,97 @@ impl Apartment {
 
     /// As [`scene`](Self::scene), with the class table of a program's own classes.
     pub fn scene_with_classes(&self, classes: Arc<ClassTable>) -> SceneGraph {
-        let mut builder = SceneBuilder::with_classes(format!("apartment_{}", self.seed.0), classes);
-        // New identifiers, existing endpoints and supports without cycles leave no reason for an error.
-        let _ = self.fill(&mut builder);
-        builder.build()
+        self.contents(0).scene(SceneBuilder::with_classes(self.scene_name(), classes))
     }
 
-    fn fill(&self, builder: &mut SceneBuilder) -> Result<(), EditError> {
-        let mut library = vc_shapes::material::library();
-        let mut known: HashMap<*const Object, AssetId> = HashMap::new();
-        let mut assets = Vec::with_capacity(self.items.len());
-        for item in &self.items {
-            let share = || library.share(Arc::new(item.object.asset.clone())).unwrap_or(AssetId(0));
-            assets.push(*known.entry(Arc::as_ptr(&item.object)).or_insert_with(share));
-        }
-        builder.assets(Arc::new(library));
-        for (index, room) in self.plan.rooms.iter().enumerate() {
-            builder.add_with_id(self.room_id(index), self.room(room.kind.class(), &room.hull()))?;
-        }
-        for (index, (item, asset)) in self.items.iter().zip(assets).enumerate() {
-            builder.add_with_id(self.item_id(index), draft(item, asset))?;
-        }
-        builder.link_all(&self.edges())
+    /// As [`scene`](Self::scene), with the numbers of a region's block: whatever has number `n` there has the `n`th of
+    /// the block, counted from 0.
+    ///
+    /// ```
+    /// use vc_graph::space::NumberBlock;
+    /// use vc_graph::{NodeId, Seed};
+    /// use vc_procgen::Apartment;
+    /// let home = Apartment::from_seed(Seed(7))?;
+    /// let scene = home.scene_numbered(NumberBlock { first: 5000, count: 4096 });
+    /// assert_eq!(scene.label(NodeId(5000)).class, home.scene().label(NodeId(0)).class);
+    /// # Ok::<(), vc_procgen::SpecificationError>(())
+    /// ```
+    pub fn scene_numbered(&self, numbers: NumberBlock) -> SceneGraph {
+        let mut builder = SceneBuilder::new(self.scene_name());
+        builder.numbers(numbers);
+        self.contents(numbers.first).scene(builder)
+    }
+
+    fn scene_name(&self) -> String {
+        format!("apartment_{}", self.seed.0)
+    }
+
+    fn contents(&self, first: u32) -> Contents<'_> {
+        let rooms = self.plan.rooms.iter().map(|room| self.room(room.kind.class(), &room.hull())).collect();
+        Contents { first, rooms, items: &self.items, names: &[] }
     }
 
     fn room(&self, class: &'static str, hull: &Rect) -> Draft {
         let inner = hull.grown(-1);
         let centre = Vector3::new(metres(inner.x0 + inner.x1) / 2.0, metres(inner.y0 + inner.y1) / 2.0, 0.0);
         let size = Vector3::new(metres(inner.width()), metres(inner.depth()), self.plan.ceiling);
-        Draft::new(class)
-            .at(Pose::from_parts(centre.into(), nalgebra::UnitQuaternion::identity()))
-            .bounds(Bounds { frame: BoundsFrame::World, ..Bounds::standing(size) })
+        room_draft(class, centre, size)
+    }
+}
+
+/// A room of a size around the centre of its floor.
+pub(crate) fn room_draft(class: &'static str, centre: Vector3<f32>, size: Vector3<f32>) -> Draft {
+    Draft::new(class)
+        .at(Pose::from_parts(centre.into(), nalgebra::UnitQuaternion::identity()))
+        .bounds(Bounds { frame: BoundsFrame::World, ..Bounds::standing(size) })
+}
+
+/// Rooms and items that become a scene with consecutive numbers, the rooms first.
+pub(crate) struct Contents<'a> {
+    /// The number of the first room.
+    pub(crate) first: u32,
+    pub(crate) rooms: Vec<Draft>,
+    pub(crate) items: &'a [Item],
+    /// The names of some items, by their index.
+    pub(crate) names: &'a [(usize, Arc<str>)],
+}
+
+impl Contents<'_> {
+    pub(crate) fn scene(self, mut builder: SceneBuilder) -> SceneGraph {
+        // New identifiers, existing endpoints and supports without cycles leave no reason for an error.
+        let _ = self.fill(&mut builder);
+        builder.build()
+    }
+
+    fn room_id(&self, room: usize) -> NodeId {
+        NodeId(self.first + room as u32)
+    }
+
+    fn item_id(&self, item: usize) -> NodeId {
+        NodeId(self.first + (self.rooms.len() + item) as u32)
+    }
+
+    fn fill(&self, builder: &mut SceneBuilder) -> Result<(), EditError> {
+        let mut library = vc_shapes::material::library();
+        let mut known: HashMap<*const Object, AssetId> = HashMap::new();
+        let mut assets = Vec::with_capacity(self.items.len());
+        for item in self.items {
+            let share = || library.share(Arc::new(item.object.asset.clone())).unwrap_or(AssetId(0));
+            assets.push(*known.entry(Arc::as_ptr(&item.object)).or_insert_with(share));
+        }
+        builder.assets(Arc::new(library));
+        for (index, room) in self.rooms.iter().enumerate() {
+            builder.add_with_id(self.room_id(index), room.clone())?;
+        }
+        for (index, (item, asset)) in self.items.iter().zip(assets).enumerate() {
+            let name = self.names.iter().find(|(named, _)| *named == index).map(|(_, name)| name.clone());
+            builder.add_with_id(self.item_id(index), Draft { name, ..draft(item, asset) })?;
+        }
+        builder.link_all(&self.edges())
     }
 
     fn edges(&self) -> Vec<Edge> {
-        let mut floors = vec![None; self.plan.rooms.len()];
+        let mut floors = vec![None; self.rooms.len()];
         for (index, item) in self.items.iter().enumerate().filter(|(_, i)| i.object.role == ObjectRole::Floor) {
             floors.get_mut(item.room).into_iter().for_each(|floor| *floor = Some(self.item_id(index)));
         }

@@ -1,10 +1,11 @@
-//! Apartments of many seeds, tested by a checker that shares nothing with the generator.
+//! Apartments and buildings of many seeds, the apartments tested by a checker that shares nothing with the generator.
 //!
 //! All violations are printed, by classes. `VC_SEEDS=1000` tests that many seeds, `VC_FIRST_SEED=500` those
 //! from there on.
 
 #![allow(clippy::unwrap_used, clippy::print_stdout, reason = "tests may unwrap, and print counts")]
 
+mod building;
 mod checker;
 
 use std::sync::LazyLock;

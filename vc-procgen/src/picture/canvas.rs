@@ -84,6 +84,21 @@ enum Mark {
     Text { at: Point, size: f32, colour: Colour, text: String },
 }
 
+impl Mark {
+    fn moved(&self, by: Point) -> Self {
+        let moved = |point: &Point| [point[0] + by[0], point[1] + by[1]];
+        match self {
+            Self::Rings { rings, closed, ink } => {
+                let rings = rings.iter().map(|ring| ring.iter().map(moved).collect()).collect();
+                Self::Rings { rings, closed: *closed, ink: *ink }
+            }
+            Self::Text { at, size, colour, text } => {
+                Self::Text { at: moved(at), size: *size, colour: *colour, text: text.clone() }
+            }
+        }
+    }
+}
+
 impl Colour {
     /// Black.
     pub const BLACK: Self = Self::hex(0);
@@ -223,6 +238,22 @@ impl Canvas {
             Anchor::End => wide,
         };
         self.marks.push(Mark::Text { at: [at[0] - back, at[1]], size, colour, text: text.to_owned() });
+    }
+
+    /// Draws another drawing on top, moved by an offset; its background is left out.
+    ///
+    /// ```
+    /// use vc_procgen::picture::{Canvas, Colour, Ink};
+    /// let mut tile = Canvas::new([0.0, 0.0], [1.0, 1.0]);
+    /// tile.rectangle([0.0, 0.0], [1.0, 1.0], Ink::filled(Colour::BLACK));
+    /// let mut sheet = Canvas::new([0.0, 0.0], [4.0, 1.0]);
+    /// sheet.paste(&tile, [2.0, 0.0]);
+    /// let image = sheet.to_image(40)?;
+    /// assert_eq!((image.pixel(5, 5), image.pixel(25, 5)), (Some([255; 3]), Some([0; 3])));
+    /// # Ok::<(), vc_procgen::picture::PictureError>(())
+    /// ```
+    pub fn paste(&mut self, other: &Self, by: Point) {
+        self.marks.extend(other.marks.iter().map(|mark| mark.moved(by)));
     }
 
     /// The width of a text, in the unit of `size`.

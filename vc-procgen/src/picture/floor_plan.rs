@@ -12,14 +12,14 @@ use crate::plan::{FloorPlan, OpeningKind, PlanOpening, Rect, Room, RoomKind, Sch
 use crate::reach::doorway;
 
 /// The margin around the building, metres.
-const MARGIN: f32 = 0.7;
+pub(super) const MARGIN: f32 = 0.7;
 /// The height of the strips for the title above and the scale below, metres.
-const STRIP: f32 = 0.9;
+pub(super) const STRIP: f32 = 0.9;
 /// The least width of a drawing relative to its height.
 const SLIMMEST: f32 = 0.85;
 
-const WALL: Colour = Colour::hex(0x2b2e33);
-const LINE: Colour = Colour::hex(0x3c4046);
+pub(super) const WALL: Colour = Colour::hex(0x2b2e33);
+pub(super) const LINE: Colour = Colour::hex(0x3c4046);
 const FAINT: Colour = Colour::hex(0x8d939b);
 /// The width of thin lines, metres.
 const THIN: f32 = 0.015;
@@ -88,17 +88,27 @@ fn summary(plan: &FloorPlan) -> String {
 fn draw(plan: &FloorPlan, title: &str, furniture: &[Area], furnish: impl FnOnce(&mut Canvas)) -> Canvas {
     let (low, high) = frame(plan);
     let mut canvas = Canvas::new(low, high);
-    balconies(&mut canvas, plan);
-    walls(&mut canvas, plan);
-    plan.openings.iter().for_each(|o| cut(&mut canvas, plan, o));
-    furnish(&mut canvas);
-    plan.openings.iter().for_each(|o| leaf(&mut canvas, o));
-    let swings = plan.openings.iter().filter_map(PlanOpening::swing).map(|s| Area::from_rect(&s));
-    let taken: Vec<Area> = furniture.iter().copied().chain(swings).collect();
-    plan.rooms.iter().for_each(|r| label(&mut canvas, r, &taken));
+    rooms(&mut canvas, plan, furniture, furnish);
     heading(&mut canvas, low, high, title);
     scale(&mut canvas, [low[0] + MARGIN, low[1] + 0.4]);
     canvas
+}
+
+/// Draws all but heading and scale.
+fn rooms(canvas: &mut Canvas, plan: &FloorPlan, furniture: &[Area], furnish: impl FnOnce(&mut Canvas)) {
+    balconies(canvas, plan);
+    walls(canvas, plan);
+    plan.openings.iter().for_each(|o| cut(canvas, plan, o));
+    furnish(canvas);
+    plan.openings.iter().for_each(|o| leaf(canvas, o));
+    let swings = plan.openings.iter().filter_map(PlanOpening::swing).map(|s| Area::from_rect(&s));
+    let taken: Vec<Area> = furniture.iter().copied().chain(swings).collect();
+    plan.rooms.iter().for_each(|r| label(canvas, r, &taken));
+}
+
+/// Draws a home without heading and scale.
+pub(super) fn home(canvas: &mut Canvas, home: &Apartment) {
+    rooms(canvas, &home.plan, &top::areas(home), |canvas| top::draw(canvas, home));
 }
 
 /// The visible area: the building with its outer walls and a margin, no narrower than [`SLIMMEST`]
@@ -271,14 +281,14 @@ fn covered_by(a: &Area, b: &Area) -> f32 {
 }
 
 /// Draws the title, as large as it fits.
-fn heading(canvas: &mut Canvas, low: Point, high: Point, title: &str) {
+pub(super) fn heading(canvas: &mut Canvas, low: Point, high: Point, title: &str) {
     let room = high[0] - low[0] - 2.0 * MARGIN;
     let size = (room / Canvas::text_width(1.0, title)).min(0.34);
     canvas.text([low[0] + MARGIN, high[1] - 0.75], size, Anchor::Start, Colour::BLACK, title);
 }
 
 /// Draws a scale bar of three metres.
-fn scale(canvas: &mut Canvas, from: Point) {
+pub(super) fn scale(canvas: &mut Canvas, from: Point) {
     let metre = |i: usize| from[0] + 0.5 * i as f32;
     for i in 0..6 {
         let fill = if i % 2 == 0 { LINE } else { Colour::WHITE };

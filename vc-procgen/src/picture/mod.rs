@@ -8,6 +8,7 @@ mod canvas;
 mod floor_plan;
 mod image;
 mod sketch;
+mod storey;
 mod top;
 
 pub use canvas::{Anchor, Canvas, Colour, Ink, Point};

@@ -39,14 +39,25 @@ pub(super) fn draw(canvas: &mut Canvas, home: &Apartment) {
     let hidden = hidden(&home.items);
     let seen = || home.items.iter().zip(&hidden).filter(|(_, hidden)| !**hidden).map(|(item, _)| item);
     let (over, below): (Vec<&Item>, Vec<&Item>) = seen().partition(|i| i.corners().0.z > OVERHEAD);
-    let mut tops: Vec<Top> = below.into_iter().flat_map(tops).collect();
-    tops.sort_by(|a, b| a.z.total_cmp(&b.z));
-    tops.iter().for_each(|top| canvas.polygon(&top.outline, ink(top.material)));
+    paint(canvas, below);
     for item in over.into_iter().filter(|i| i.support == Support::Ceiling || i.support == Support::Wall) {
         let area = item.area();
         let dashes = Ink::line(Colour::hex(0x9aa0a8), HAIR).dashed(0.05);
         canvas.rectangle([area.x0, area.y0], [area.x1, area.y1], dashes);
     }
+}
+
+/// Draws the parts of items that one sees from above.
+pub(super) fn paint<'a>(canvas: &mut Canvas, items: impl IntoIterator<Item = &'a Item>) {
+    let mut tops: Vec<Top> = items.into_iter().flat_map(tops).collect();
+    tops.sort_by(|a, b| a.z.total_cmp(&b.z));
+    tops.iter().for_each(|top| canvas.polygon(&top.outline, ink(top.material)));
+}
+
+/// The rectangles around the parts of an item.
+pub(super) fn outlines(item: &Item) -> Vec<Area> {
+    let around = |top: Top| Area { x0: top.low[0], y0: top.low[1], x1: top.high[0], y1: top.high[1] };
+    item.object.asset.parts.iter().map(|part| around(top(part, &item.pose))).collect()
 }
 
 /// The objects that stand on the floors, which names should not cover: neither rugs nor objects
