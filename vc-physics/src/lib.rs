@@ -34,7 +34,7 @@ mod view;
 mod water;
 mod world;
 
-pub use agent::{PartsToMoveAside, ShutDoors, WalkState};
+pub use agent::{PartsToMoveAside, ShutDoors, Traveller, WalkState};
 pub use contact::Contact;
 pub use error::{AgentError, PhysicsError, RestError, SnapshotError};
 pub use joints::MovingPart;

@@ -48,6 +48,7 @@
 mod error;
 mod frame;
 mod graphs;
+mod load;
 mod numbers;
 mod pass;
 mod plan;
@@ -59,6 +60,7 @@ mod save;
 pub use error::{PassError, SpaceError, WorldFileError};
 pub use frame::RegionFrame;
 pub use graphs::RegionGraphs;
+pub use load::Load;
 pub use numbers::NumberBlock;
 pub use pass::Crossing;
 pub use plan::{Space, SpaceBuilder};

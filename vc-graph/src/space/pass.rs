@@ -1,12 +1,9 @@
 //! Going through a portal, with everything that one carries.
 
-use std::collections::BTreeSet;
 use std::sync::Arc;
 
-use super::{PassError, PortalId, RegionGraphs, RegionId};
-use crate::asset::AssetError;
-use crate::node::{Node, NodeKind};
-use crate::{AssetId, AssetLibrary, Change, ChangeMismatch, ChangeSet, Edge, NodeId, Pose, Relation, SceneGraph};
+use super::{Load, PassError, PortalId, RegionGraphs, RegionId};
+use crate::{ChangeMismatch, ChangeSet, NodeId, Pose};
 
 /// A passage through a portal: [`RegionGraphs::take_back`] undoes it.
 #[derive(Debug, Clone, PartialEq)]
@@ -44,37 +41,12 @@ impl RegionGraphs {
         };
         let is_room = |id: &NodeId| entered.rooms().contains(id);
         let room = into.or_else(|| entered.rooms().first().copied()).filter(is_room).ok_or(PassError::NoRoom(to))?;
-        let nodes = free_to_go(left, node, from)?;
         let frames = self.frame(from).zip(self.frame(to));
         let shift = frames.map_or_else(Pose::identity, |(from, to)| from.to(&to));
-        let load = Load::new(left, &nodes);
-        let lacking = load.nodes.iter().find_map(|node| Some((node, entered.vocabulary().word_lacking(node)?)));
-        if let Some((node, word)) = lacking {
-            return Err(PassError::Lacks { node: node.label(), word, region: to });
-        }
-        let mut library = entered.assets().clone();
-        let mut arrived = |old: &Arc<Node>| {
-            let mut new = Node { pose: old.pose.map(|pose| shift * pose), ..Node::clone(old) };
-            if let Some(asset) = old.spec.asset {
-                let shape = |error| PassError::Shape { node: old.label(), error };
-                let asset = taken_over(&mut library, left.assets(), asset).map_err(shape)?;
-                if Some(asset) != old.spec.asset {
-                    Arc::make_mut(&mut new.spec).asset = Some(asset);
-                }
-            }
-            Ok(Change::Add(Arc::new(new)))
-        };
-        let arrivals = load.nodes.iter().map(&mut arrived).collect::<Result<Vec<_>, _>>()?;
-        let inside = nodes.iter().map(|id| Edge::new(*id, Relation::InRoom, room));
-        let links = load.inner.iter().copied().chain(inside).map(Change::Link);
-        let crossing = Crossing {
-            portal,
-            from,
-            to,
-            left: load.leaving(),
-            entered: arrivals.into_iter().chain(links).collect(),
-            nodes,
-        };
+        let load = Load::new(left, node, from)?;
+        let (library, arrival) = load.entering((entered, to), &shift, room)?;
+        let crossing =
+            Crossing { portal, from, to, left: load.leaving(), entered: arrival, nodes: load.ids().collect() };
         self.change(&crossing.left, &crossing.entered, from, to).map_err(|mismatch| PassError::Taken(mismatch.node))?;
         if let Some(active) = self.active.get_mut(&to) {
             active.graph.assets = library;
@@ -138,53 +110,5 @@ impl RegionGraphs {
                 moved.insert(*id, region)
             };
         }
-    }
-}
-
-/// The asset in a library that is the same as one of another; it is added if there is none.
-fn taken_over(library: &mut Arc<AssetLibrary>, from: &AssetLibrary, asset: AssetId) -> Result<AssetId, AssetError> {
-    match library.find(from, asset) {
-        Some(here) => Ok(here),
-        None => Arc::make_mut(library).import(from, asset),
-    }
-}
-
-/// A node with everything that it carries, if it can go.
-fn free_to_go(graph: &SceneGraph, id: NodeId, region: RegionId) -> Result<Vec<NodeId>, PassError> {
-    let node = graph.label(id);
-    if graph.node(id).is_some_and(|node| node.kind() == NodeKind::Room) {
-        return Err(PassError::IsRoom(node));
-    }
-    let at = graph.place(id).or_else(|| graph.holder(id));
-    match at {
-        Some(place) => Err(PassError::Resting { node, at: graph.label(place.at), region }),
-        None => Ok(graph.carried_with(id)),
-    }
-}
-
-/// Nodes that leave a scene together.
-struct Load {
-    /// The nodes without relations.
-    nodes: Vec<Arc<Node>>,
-    /// Relations among them.
-    inner: Vec<Edge>,
-    /// Relations to what stays.
-    outer: Vec<Edge>,
-}
-
-impl Load {
-    fn new(graph: &SceneGraph, ids: &[NodeId]) -> Self {
-        let going: BTreeSet<NodeId> = ids.iter().copied().collect();
-        let nodes = || ids.iter().filter_map(|id| graph.node(*id));
-        let edges: BTreeSet<Edge> = nodes().flat_map(Node::edges).map(Edge::in_one_direction).collect();
-        let (inner, outer) =
-            edges.into_iter().partition(|edge: &Edge| going.contains(&edge.from) && going.contains(&edge.to));
-        Self { nodes: nodes().map(|node| Arc::new(node.bare())).collect(), inner, outer }
-    }
-
-    /// The changes of the scene that they leave.
-    fn leaving(&self) -> ChangeSet {
-        let unlinked = self.outer.iter().chain(&self.inner).copied().map(Change::Unlink);
-        unlinked.chain(self.nodes.iter().cloned().map(Change::Remove)).collect()
     }
 }

@@ -10,6 +10,7 @@ mod room;
 mod seat;
 mod side;
 mod stride;
+mod travel;
 mod walk;
 
 use rapier3d::dynamics::RigidBodyBuilder;
@@ -22,6 +23,7 @@ use crate::{AgentError, PhysicsError, convert, group};
 
 pub use aside::{PartsToMoveAside, ShutDoors};
 pub(crate) use reach::point_distance;
+pub use travel::Traveller;
 pub use walk::WalkState;
 
 /// # Agents

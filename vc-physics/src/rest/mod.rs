@@ -13,6 +13,7 @@ use crate::world::PhysicsWorld;
 use crate::{BodyRole, PhysicsError, convert};
 
 pub use progress::RestProgress;
+pub(crate) use recorded::RecordedThing;
 pub use recorded::RestRecord;
 
 /// # Rest

@@ -31,9 +31,16 @@ pub struct RestRecord {
 
 /// A thing that is not as it was at the start, and where its bodies are, its base first.
 #[derive(Clone)]
-struct RecordedThing {
-    thing: Thing,
+pub(crate) struct RecordedThing {
+    pub(crate) thing: Thing,
     poses: Vec<EnginePose>,
+}
+
+impl RecordedThing {
+    /// The same, moved as a whole.
+    pub(crate) fn shifted(&self, motion: &EnginePose) -> Self {
+        Self { thing: self.thing.clone(), poses: self.poses.iter().map(|pose| *motion * *pose).collect() }
+    }
 }
 
 impl RestRecord {
@@ -171,7 +178,7 @@ impl PhysicsWorld {
         }
     }
 
-    fn recorded_thing(&self, thing: &Thing) -> RecordedThing {
+    pub(crate) fn recorded_thing(&self, thing: &Thing) -> RecordedThing {
         let mut thing = thing.clone();
         let poses: Vec<EnginePose> = self.rest_of(&thing).collect();
         thing.state.moving.iter_mut().for_each(|moving| (moving.target, moving.patience) = (None, 0));
@@ -197,13 +204,13 @@ impl PhysicsWorld {
         Some(is(now) != is(was) || !parts || !self.rest_of(now).eq(start.rest_of(was)))
     }
 
-    fn take_out(&mut self, id: NodeId) {
+    pub(crate) fn take_out(&mut self, id: NodeId) {
         let Ok(index) = self.index(id) else { return };
         let thing = self.things.remove(index);
         thing.bodies().for_each(|body| self.engine.remove(body));
     }
 
-    fn put_in(&mut self, recorded: &RecordedThing) {
+    pub(crate) fn put_in(&mut self, recorded: &RecordedThing) {
         let RecordedThing { thing, poses } = recorded;
         let (Some(base), mut thing) = (poses.first(), thing.clone()) else { return };
         let ground = thing.state.ground;
