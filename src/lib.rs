@@ -85,6 +85,8 @@ mod catalogue;
 #[cfg(feature = "environment")]
 mod check;
 #[cfg(feature = "environment")]
+mod city;
+#[cfg(feature = "environment")]
 mod environment;
 pub mod files;
 mod json_lines;
@@ -97,10 +99,12 @@ pub use batch::Batch;
 #[cfg(feature = "environment")]
 pub use check::{ContractViolation, Tally, check_environment, legal_action, random_action, run};
 #[cfg(feature = "environment")]
+pub use city::{City, CityBuilder, CityEnding, CityError, LiftState, RegionScenes};
+#[cfg(feature = "environment")]
 pub use environment::{
     ActionError, AlterError, Assets, Attempt, Control, ControlledHand, Difference, Disagreement, Displaced, Ending,
     Environment, EnvironmentBuilder, Interruption, MakeError, NoRoom, PhysicalRefusal, ResetError, ResetReport,
-    SaveError, Spot, SpotRefusal, Steering, Unplaced, UnplacedReason,
+    SaveError, Spot, SpotRefusal, Steering, TravelError, Unplaced, UnplacedReason,
 };
 #[cfg(all(feature = "environment", feature = "render"))]
 pub use environment::{

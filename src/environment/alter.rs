@@ -397,7 +397,7 @@ impl Environment {
     }
 
     /// The middle of the cell nearest to a point where an agent can stand.
-    fn free_near(&self, agent: NodeId, at: &Point2<f32>) -> Option<[f32; 2]> {
+    pub(super) fn free_near(&self, agent: NodeId, at: &Point2<f32>) -> Option<[f32; 2]> {
         let grid = self.floor.occupancy();
         let cells = (0..grid.rows).flat_map(|row| (0..grid.columns).map(move |column| (column, row)));
         let free = cells.filter(|(column, row)| grid.is_free(*column, *row));

@@ -60,6 +60,8 @@ pub(super) struct EnvironmentSettings {
     pub(super) relations: RelationRule,
     pub(super) time: TimeSettings,
     pub(super) tolerance: f32,
+    /// Whether there may be nobody in it: agents come from elsewhere.
+    pub(super) unpeopled: bool,
     /// An hour that was asked for and is none.
     pub(super) no_hour: Option<f32>,
     #[cfg(feature = "render")]
@@ -81,6 +83,7 @@ impl EnvironmentSettings {
             relations: RelationRule::Contacts,
             time: TimeSettings::default(),
             tolerance: SUPPORT_GAP,
+            unpeopled: false,
             no_hour: None,
             #[cfg(feature = "render")]
             pictures: crate::PictureOptions::default(),
@@ -102,6 +105,17 @@ impl EnvironmentBuilder {
     /// The number of agents. Agents that the scene has are kept, others are added until there are so many.
     pub fn agents(mut self, agents: usize) -> Self {
         self.agents = agents;
+        self
+    }
+
+    /// The same settings for another scene.
+    pub(crate) fn scene(self, graph: SceneGraph) -> Self {
+        Self { source: Source::Graph(Box::new(graph)), ..self }
+    }
+
+    /// Without agents: they come from elsewhere.
+    pub(crate) fn unpeopled(mut self) -> Self {
+        (self.agents, self.settings.unpeopled) = (0, true);
         self
     }
 

@@ -151,7 +151,7 @@ impl Environment {
         if at_rest {
             boxes::rest_as(&mut world, builder.graph(), &staying)?;
         }
-        if builder.graph().agents().is_empty() {
+        if builder.graph().agents().is_empty() && !settings.unpeopled {
             return Err(MakeError::NoAgents);
         }
         let mut graph = builder.build();

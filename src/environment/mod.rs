@@ -32,6 +32,7 @@ mod steer;
 mod survey;
 #[cfg(feature = "render")]
 mod threads;
+mod travel;
 
 use std::sync::Arc;
 
@@ -64,6 +65,8 @@ pub use scene::Assets;
 #[cfg(feature = "render")]
 pub use sensing::{LidarScan, Reading, Sensor, SensorError, SensorId, SensorView};
 pub use steer::Steering;
+pub(crate) use travel::Departure;
+pub use travel::TravelError;
 
 /// At which height somebody is in a room, metres.
 const WAIST: f32 = 0.9;

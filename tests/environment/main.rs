@@ -10,6 +10,7 @@ mod alter;
 mod astray;
 mod bodies;
 mod boxes;
+mod city;
 mod clock;
 mod control;
 mod curtains;

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use super::{PassError, RegionId};
 use crate::asset::AssetError;
 use crate::node::{Node, NodeKind};
-use crate::{AssetId, AssetLibrary, Change, ChangeSet, Edge, NodeId, Pose, Relation, SceneGraph};
+use crate::{AssetId, AssetLibrary, Change, ChangeSet, Edge, NodeId, ObjectRole, Place, Pose, Relation, SceneGraph};
 
 /// Nodes that leave a scene together, and the relations among them: an agent with all that it carries, a cart with what
 /// is on it. [`RegionGraphs::pass`](super::RegionGraphs::pass) takes them from one scene to another.
@@ -149,7 +149,13 @@ fn free_to_go(graph: &SceneGraph, id: NodeId, region: RegionId) -> Result<Vec<No
     if graph.node(id).is_some_and(|node| node.kind() == NodeKind::Room) {
         return Err(PassError::IsRoom(node));
     }
-    let at = graph.place(id).or_else(|| graph.holder(id));
+    // A floor is left behind; so is whatever an agent stands on.
+    let is_agent = graph.node(id).is_some_and(|node| node.kind() == NodeKind::Agent);
+    let is_ground = |place: &Place| {
+        let floor = graph.node(place.at).is_some_and(|node| node.role() == ObjectRole::Floor);
+        place.relation == Relation::On && (is_agent || floor)
+    };
+    let at = graph.places(id).find(|place| !is_ground(place)).or_else(|| graph.holder(id));
     match at {
         Some(place) => Err(PassError::Resting { node, at: graph.label(place.at), region }),
         None => Ok(graph.carried_with(id)),

@@ -25,6 +25,9 @@ impl NumberBlock {
     /// The numbers that go to regions whose block is full.
     pub const OVERFLOW: Self = Self { first: 0xC000_0000, count: 0x2000_0000 };
 
+    /// The numbers of agents, who go from region to region.
+    pub const TRAVELLERS: Self = Self { first: 0xE000_0000, count: 0x1000_0000 };
+
     /// Whether a number is in the block.
     pub fn has(self, id: NodeId) -> bool {
         id.0.checked_sub(self.first).is_some_and(|place| place < self.count)

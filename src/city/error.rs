@@ -1,0 +1,75 @@
+//! Errors of cities.
+
+use std::sync::Arc;
+
+use vc_graph::Label;
+use vc_graph::space::{RegionId, SpaceError};
+
+use crate::environment::{MakeError, TravelError};
+use crate::{ActionError, Interruption, PhysicalRefusal};
+
+/// Why something cannot be done in a city.
+#[derive(Debug, Clone, thiserror::Error)]
+#[non_exhaustive]
+pub enum CityError {
+    /// The node is no agent of this city.
+    #[error("{0} is no agent of this city: `agents` lists them")]
+    NoSuchAgent(Label),
+    /// There is no such region, or it is a group without a scene.
+    #[error("{0} has no scene in this city")]
+    NoScene(RegionId),
+    /// The scene of a region cannot be made.
+    #[error("{region} cannot be made: {why}")]
+    Scene {
+        /// The region.
+        region: RegionId,
+        /// The reason.
+        #[source]
+        why: Arc<dyn std::error::Error + Send + Sync>,
+    },
+    /// A scene has numbers of other regions.
+    #[error(transparent)]
+    Space(#[from] SpaceError),
+    /// The environment of a region cannot be made.
+    #[error("{region} cannot be made: {why}")]
+    Make {
+        /// The region.
+        region: RegionId,
+        /// The reason.
+        #[source]
+        why: Arc<MakeError>,
+    },
+    /// No way leads there.
+    #[error("no way leads from {from} to {to}: no portal through which one gets there joins them")]
+    NoWay {
+        /// The region of the agent.
+        from: RegionId,
+        /// The region where it was to go.
+        to: RegionId,
+    },
+    /// A way to another region was given up for another action.
+    #[error("{0} was interrupted on its way: it was given something else to do, or told to stop")]
+    Interrupted(Label),
+    /// The agent cannot leave a region or enter the next.
+    #[error(transparent)]
+    Travel(#[from] TravelError),
+    /// The bodies do not allow it.
+    #[error(transparent)]
+    Bodies(#[from] PhysicalRefusal),
+    /// The action was not done.
+    #[error(transparent)]
+    Action(#[from] ActionError),
+}
+
+impl CityError {
+    /// Whether it may be otherwise in a while: somebody is in the way.
+    pub(super) fn may_pass(&self) -> bool {
+        match self {
+            Self::Travel(TravelError::NoFloor { .. }) | Self::Action(ActionError::Impossible { .. }) => true,
+            Self::Action(ActionError::Interrupted { why, .. }) => {
+                !matches!(**why, Interruption::Cancelled | Interruption::Replaced(_))
+            }
+            _ => false,
+        }
+    }
+}

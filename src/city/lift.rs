@@ -1,0 +1,157 @@
+//! Lifts: cabins that move between stops, and doors that let people in and out.
+
+use std::collections::BTreeSet;
+
+use nalgebra::Point3;
+use vc_graph::clock::{TICKS_PER_SECOND, Tick};
+use vc_graph::hash::Digester;
+use vc_graph::space::{Region, RegionFrame};
+
+/// The ticks in which the doors open or shut: 2.5 s.
+const DOOR: u64 = 150;
+/// The ticks for which they stay open, at least: 5 s.
+const OPEN: u64 = 300;
+/// Speed of a cabin, metres a second, and its acceleration, metres per second squared.
+const SPEED: f64 = 1.0;
+const ACCELERATION: f64 = 0.8;
+
+/// What a lift is doing.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum LiftState {
+    /// It stands at a stop, counted from 0, with shut doors.
+    Shut(u32),
+    /// Its doors are opening at a stop.
+    Opening(u32),
+    /// It stands at a stop with open doors.
+    Open(u32),
+    /// Its doors are closing at a stop. A call from there opens them again.
+    Closing(u32),
+    /// It moves from one stop to another, with shut doors.
+    Moving {
+        /// The stop that it has left.
+        from: u32,
+        /// The stop where it goes.
+        to: u32,
+    },
+}
+
+/// A lift. It moves with shut doors only, which shut only while nobody is between them; it goes on in one direction while
+/// there are calls ahead.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Lift {
+    /// Where its stops are, metres.
+    stops: Vec<Point3<f64>>,
+    state: LiftState,
+    since: Tick,
+    is_upward: bool,
+    calls: BTreeSet<u32>,
+}
+
+impl Lift {
+    /// A lift at its first stop.
+    pub(super) fn new(cabin: &Region) -> Self {
+        let stops = cabin.stops.iter().map(|stop| stop.origin).collect();
+        Self { stops, state: LiftState::Shut(0), since: Tick(0), is_upward: true, calls: BTreeSet::new() }
+    }
+
+    /// Calls the cabin to a stop, from outside or inside.
+    pub(super) fn call(&mut self, stop: u32) {
+        if (stop as usize) < self.stops.len() {
+            self.calls.insert(stop);
+        }
+    }
+
+    pub(super) fn state(&self, _: Tick) -> LiftState {
+        self.state
+    }
+
+    /// Whether it does nothing, and nobody has called it.
+    pub(super) fn is_idle(&self) -> bool {
+        matches!(self.state, LiftState::Shut(_)) && self.calls.is_empty()
+    }
+
+    pub(super) fn is_open_at(&self, stop: u32, _: Tick) -> bool {
+        self.state == LiftState::Open(stop)
+    }
+
+    /// Goes on at a tick; `is_crossed` says whether somebody is between the doors.
+    pub(super) fn pass(&mut self, now: Tick, is_crossed: bool) {
+        use LiftState::{Closing, Moving, Open, Opening, Shut};
+        let passed = now.0 - self.since.0;
+        let next = match self.state {
+            Shut(at) if self.calls.contains(&at) => Some(Opening(at)),
+            Shut(at) => self.next_call(at).map(|to| Moving { from: at, to }),
+            Opening(at) => (passed >= DOOR).then_some(Open(at)),
+            Open(at) if is_crossed || self.calls.remove(&at) => Some(Open(at)),
+            Open(at) => (passed >= OPEN).then_some(Closing(at)),
+            Closing(at) if self.calls.contains(&at) => Some(Opening(at)),
+            Closing(at) => (passed >= DOOR).then_some(Shut(at)),
+            Moving { from, to } => (passed >= self.ticks(from, to)).then_some(Shut(to)),
+        };
+        if let Some(next) = next {
+            if let Open(at) = next {
+                self.calls.remove(&at);
+            }
+            (self.state, self.since) = (next, now);
+        }
+    }
+
+    /// The next stop to which it is called: on in the same direction, or else back.
+    fn next_call(&mut self, at: u32) -> Option<u32> {
+        let above = self.calls.range(at + 1..).next().copied();
+        let below = self.calls.range(..at).next_back().copied();
+        let next = if self.is_upward { above.or(below) } else { below.or(above) };
+        self.is_upward = next.map_or(self.is_upward, |to| to > at);
+        next
+    }
+
+    /// Where the cabin is.
+    pub(super) fn frame(&self, plan: &Region, now: Tick) -> RegionFrame {
+        use LiftState::{Closing, Moving, Open, Opening, Shut};
+        match self.state {
+            Shut(at) | Opening(at) | Open(at) | Closing(at) => plan.frame_at(at as usize),
+            Moving { from, to } => {
+                let (start, end) = (plan.frame_at(from as usize), plan.frame_at(to as usize));
+                let length = self.length(from, to);
+                let share = if length > 0.0 { way(now.0 - self.since.0, length) / length } else { 1.0 };
+                let between = start.origin + (end.origin - start.origin) * share;
+                RegionFrame { origin: between, heading: start.heading }
+            }
+        }
+    }
+
+    fn length(&self, from: u32, to: u32) -> f64 {
+        nalgebra::distance(&self.stops[from as usize], &self.stops[to as usize])
+    }
+
+    /// The ticks that it takes from one stop to another.
+    fn ticks(&self, from: u32, to: u32) -> u64 {
+        let length = self.length(from, to);
+        let ramp = SPEED * SPEED / ACCELERATION;
+        let seconds =
+            if length < ramp { 2.0 * (length / ACCELERATION).sqrt() } else { length / SPEED + SPEED / ACCELERATION };
+        (seconds * TICKS_PER_SECOND as f64).ceil() as u64
+    }
+
+    pub(super) fn feed(&self, hash: &mut Digester) {
+        hash.text(&format!("{:?}", self.state)).words([self.since.0, u64::from(self.is_upward)]);
+        hash.words(self.calls.iter().map(|stop| u64::from(*stop)));
+    }
+}
+
+/// The way that a cabin has gone after some ticks of so many metres: it speeds up, goes on, and slows down.
+fn way(ticks: u64, length: f64) -> f64 {
+    let time = ticks as f64 / TICKS_PER_SECOND as f64;
+    let ramp = (SPEED * SPEED / ACCELERATION).min(length);
+    let top = (ACCELERATION * ramp).sqrt();
+    let (speeding, total) = (top / ACCELERATION, (length - ramp) / top + 2.0 * top / ACCELERATION);
+    let left = (total - time).max(0.0);
+    if time < speeding {
+        0.5 * ACCELERATION * time * time
+    } else if left < speeding {
+        length - 0.5 * ACCELERATION * left * left
+    } else {
+        0.5 * ramp + top * (time - speeding)
+    }
+}

@@ -1,0 +1,197 @@
+//! A city: regions joined by portals, in which agents go from one to another.
+//!
+//! [`source`] is where scenes come from, [`residency`] which regions are there, [`journey`] how agents get from one to
+//! another, [`lift`] how cabins move, [`time`] how all of it goes on.
+
+mod error;
+mod journey;
+mod lift;
+mod make;
+mod residency;
+mod source;
+mod time;
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use vc_graph::clock::Tick;
+use vc_graph::hash::Digester;
+use vc_graph::space::{Portal, PortalId, PortalState, RegionFrame, RegionId, Space};
+use vc_graph::{Action, Digest, Label, NodeId, Observation};
+
+use crate::{Environment, EnvironmentBuilder};
+
+pub use error::CityError;
+use journey::Journey;
+use lift::Lift;
+pub use lift::LiftState;
+pub use make::CityBuilder;
+pub use source::RegionScenes;
+pub use time::CityEnding;
+
+/// Regions joined by portals, each with an [`Environment`] of its own while somebody is in it: a building, a street, a city.
+///
+/// An agent is in one region at a time. An action with things of its region is done there as in a single home; a walk to
+/// something in another region leads through portals, over stairs and by lift, and takes along what the agent carries.
+/// Regions without agents go on until all in them rests, then they cost nothing: whatever happens in them with time is made
+/// up for when somebody comes. No result depends on when that is.
+///
+/// ```
+/// use virtualcity::City;
+/// use virtualcity::graph::Action;
+/// use std::error::Error;
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone)]
+pub struct City {
+    source: Arc<dyn RegionScenes>,
+    /// The settings of the environments.
+    settings: EnvironmentBuilder,
+    tick: Tick,
+    /// The regions that are there.
+    active: BTreeMap<RegionId, Environment>,
+    /// Those that somebody has been in.
+    asleep: BTreeMap<RegionId, Environment>,
+    /// Where agents are, and things that are not where they were made.
+    whereabouts: BTreeMap<NodeId, RegionId>,
+    agents: Vec<NodeId>,
+    journeys: BTreeMap<NodeId, Journey>,
+    /// The portals that agents take, if not all.
+    ways: BTreeMap<NodeId, Ways>,
+    lifts: BTreeMap<RegionId, Lift>,
+    endings: Vec<time::CityEnding>,
+}
+
+/// Which portals somebody takes.
+type Ways = Arc<dyn Fn(&Portal) -> bool + Send + Sync>;
+
+impl City {
+    /// The plan of the regions.
+    pub fn space(&self) -> &Arc<Space> {
+        self.source.space()
+    }
+
+    /// The agents, in the order in which they came.
+    pub fn agents(&self) -> impl Iterator<Item = NodeId> + '_ {
+        self.agents.iter().copied()
+    }
+
+    /// The time that has passed since the city was made.
+    pub fn tick(&self) -> Tick {
+        self.tick
+    }
+
+    /// The region of a node: where it is, or was made. A number that no node has may have a region, too.
+    pub fn region_of(&self, node: NodeId) -> Option<RegionId> {
+        self.whereabouts.get(&node).copied().or_else(|| self.space().made_in(node))
+    }
+
+    /// The environment of a region that is there: somebody is in it, or something in it still moves.
+    pub fn environment(&self, region: RegionId) -> Option<&Environment> {
+        self.active.get(&region)
+    }
+
+    /// The regions that are there, in order.
+    pub fn active(&self) -> impl Iterator<Item = RegionId> + '_ {
+        self.active.keys().copied()
+    }
+
+    /// The environment of the region that an agent is in.
+    pub fn environment_of(&self, agent: NodeId) -> Option<&Environment> {
+        self.environment(self.region_of(agent)?)
+    }
+
+    /// The part of its region's scene that an agent sees within a radius, metres: [`Environment::observation`]. Changes
+    /// nothing.
+    ///
+    /// # Errors
+    /// [`CityError::NoSuchAgent`].
+    pub fn observation(&self, agent: NodeId, radius: f32) -> Result<Observation, CityError> {
+        Ok(self.environment_with(agent)?.observation(agent, radius))
+    }
+
+    /// Class and number of a node, for messages; the class is `?` where its region is not there.
+    pub fn label(&self, id: NodeId) -> Label {
+        let node = self.region_of(id).and_then(|region| self.environment(region)?.graph().node(id));
+        node.map_or_else(|| Label { class: "?".into(), id }, vc_graph::Node::label)
+    }
+
+    /// What an agent is doing or is about to do: a walk to another region as it was given.
+    pub fn current_action(&self, agent: NodeId) -> Option<&Action> {
+        match self.journeys.get(&agent) {
+            Some(journey) => journey.action.as_ref(),
+            None => self.environment_of(agent)?.current_action(agent),
+        }
+    }
+
+    /// Where a region is now, in the world: the cabin of a lift moves.
+    pub fn frame(&self, region: RegionId) -> Option<RegionFrame> {
+        let plan = self.space().region(region)?;
+        Some(self.lifts.get(&region).map_or(plan.frame, |lift| lift.frame(plan, self.tick)))
+    }
+
+    /// The state of the lift whose cabin is a region.
+    pub fn lift(&self, cabin: RegionId) -> Option<LiftState> {
+        Some(self.lifts.get(&cabin)?.state(self.tick))
+    }
+
+    /// Whether a portal lets people, views and sounds through now. People open and shut doors as they pass; a lift lets
+    /// through where its cabin stands with open doors.
+    pub fn portal(&self, portal: PortalId) -> Option<PortalState> {
+        let plan = self.space().portal(portal)?;
+        let cabin = plan.sides.iter().find_map(|side| self.lifts.get(&side.region));
+        let open = match (cabin, plan.leaf) {
+            (Some(lift), _) if !lift.is_open_at(plan.stop, self.tick) => return Some(PortalState::CLOSED),
+            (Some(_), _) => true,
+            (None, None) => false,
+            (None, Some(leaf)) => self.is_open(leaf),
+        };
+        Some(plan.state(open))
+    }
+
+    /// A number that says whether two cities are the same and will go on alike. Regions in which nothing differs from how
+    /// they were made do not count, whoever has looked into them. Costs as much as the environments' own.
+    pub fn digest(&self) -> Digest {
+        let mut hash = Digester::new();
+        hash.words([self.space().digest().0, self.tick.0]);
+        for (region, environment) in self.active.iter().chain(&self.asleep).collect::<BTreeMap<_, _>>() {
+            hash.words([u64::from(region.0), environment.digest().0]);
+        }
+        self.whereabouts.iter().for_each(|(node, region)| _ = hash.words([u64::from(node.0), u64::from(region.0)]));
+        self.journeys.iter().for_each(|(agent, journey)| journey.feed(*agent, &mut hash));
+        self.lifts.values().for_each(|lift| lift.feed(&mut hash));
+        hash.digest()
+    }
+
+    /// A number for what differs in a region from how it was made; none if nothing does, or nobody has been there.
+    pub fn region_digest(&self, region: RegionId) -> Option<Digest> {
+        let active = self.active.get(&region).filter(|environment| !environment.is_as_made());
+        active.or_else(|| self.asleep.get(&region)).map(Environment::digest)
+    }
+
+    /// Lets an agent take only portals of which something holds: no lifts, say. Those through which nobody fits are never
+    /// taken.
+    ///
+    /// It is part of neither digest nor save.
+    pub fn set_ways(&mut self, agent: NodeId, takes: impl Fn(&Portal) -> bool + Send + Sync + 'static) {
+        self.ways.insert(agent, Arc::new(takes));
+    }
+
+    fn environment_with(&self, agent: NodeId) -> Result<&Environment, CityError> {
+        let known = self.agents.contains(&agent);
+        let environment = self.environment_of(agent).filter(|_| known);
+        environment.ok_or_else(|| CityError::NoSuchAgent(self.label(agent)))
+    }
+
+    fn environment_mut(&mut self, agent: NodeId) -> Option<&mut Environment> {
+        let region = self.region_of(agent)?;
+        self.active.get_mut(&region)
+    }
+}
+
+impl std::fmt::Debug for City {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let (regions, active, agents) = (self.space().len(), self.active.len(), self.agents.len());
+        write!(f, "City({regions} regions, {active} active, {agents} agents, digest {})", self.digest())
+    }
+}

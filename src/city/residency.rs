@@ -1,0 +1,62 @@
+//! The regions that are there: those with agents, and those in which something still moves.
+
+use vc_graph::clock::Span;
+use vc_graph::space::{RegionId, SpaceError};
+use vc_graph::{Node, NodeId, State};
+
+use super::{City, CityError};
+use crate::Environment;
+
+impl City {
+    /// The environment of a region, which is made or woken if it is not there.
+    pub(super) fn wake(&mut self, region: RegionId) -> Result<&mut Environment, CityError> {
+        if !self.active.contains_key(&region) {
+            let mut environment = match self.asleep.remove(&region) {
+                Some(environment) => environment,
+                None => self.made(region)?,
+            };
+            // Time has passed there as well; nobody could tell the difference.
+            environment.step(Span(self.tick.0.saturating_sub(environment.tick().0)));
+            self.active.insert(region, environment);
+        }
+        self.active.get_mut(&region).ok_or(CityError::NoScene(region))
+    }
+
+    /// The environment of a region as it is before anybody has been there.
+    fn made(&self, region: RegionId) -> Result<Environment, CityError> {
+        let plan = self.space().region(region).filter(|plan| plan.has_scene()).ok_or(CityError::NoScene(region))?;
+        let scene = self.source.scene(region).map_err(|why| CityError::Scene { region, why: why.into() })?;
+        if let Some(node) = scene.nodes().find(|node| !plan.numbers.has(node.id())) {
+            return Err(SpaceError::ForeignNumber { region, node: Node::label(node) }.into());
+        }
+        let made = self.settings.clone().scene(scene).unpeopled().make();
+        made.map_err(|why| CityError::Make { region, why: why.into() })
+    }
+
+    /// Lets regions go in which nobody is and nothing moves.
+    pub(super) fn let_rest(&mut self) {
+        let is_needed = |region: &RegionId| {
+            let crossed = |journey: &super::Journey| journey.needs(*region);
+            self.whereabouts.iter().any(|(node, at)| at == region && self.agents.contains(node))
+                || self.journeys.values().any(crossed)
+        };
+        let rests = |(region, environment): (&RegionId, &Environment)| {
+            (!is_needed(region) && environment.is_still()).then_some(*region)
+        };
+        let gone: Vec<RegionId> = self.active.iter().filter_map(rests).collect();
+        for region in gone {
+            let Some(environment) = self.active.remove(&region) else { continue };
+            // A region that nobody has changed is made anew the next time.
+            if !environment.is_as_made() {
+                self.asleep.insert(region, environment);
+            }
+        }
+    }
+
+    /// Whether the leaf of a door or window is open.
+    pub(super) fn is_open(&self, leaf: NodeId) -> bool {
+        let environment = |region: &RegionId| self.active.get(region).or_else(|| self.asleep.get(region));
+        let node = self.region_of(leaf).as_ref().and_then(environment).and_then(|home| home.graph().node(leaf));
+        node.is_some_and(|node| node.is(State::Open))
+    }
+}

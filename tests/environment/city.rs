@@ -1,0 +1,216 @@
+//! Cities: agents who go from region to region, over stairs and by lift, with what they carry.
+
+use std::error::Error;
+use std::f32::consts::PI;
+use std::sync::Arc;
+
+use virtualcity::graph::clock::Span;
+use virtualcity::graph::space::{
+    Portal, PortalId, PortalKind, PortalSide, Region, RegionFrame, RegionId, RegionKind, Space, SpaceBuilder,
+};
+use virtualcity::graph::{Action, Bounds, Draft, Edge, NodeId, Pose, Relation, SceneBuilder, SceneGraph};
+use virtualcity::nalgebra::{Point3, Vector3};
+use virtualcity::{City, CityError, LiftState, RegionScenes};
+
+const STOREYS: u32 = 3;
+const HEIGHT: f64 = 3.0;
+const YARD: RegionId = RegionId(1);
+const CABIN: RegionId = RegionId(2 + STOREYS);
+
+fn landing(storey: u32) -> RegionId {
+    RegionId(2 + storey)
+}
+
+/// A yard, a landing on each storey with stairs to the next, and a lift.
+struct House(Arc<Space>);
+
+fn side(region: RegionId, at: [f32; 3], heading: f32) -> PortalSide {
+    let pose = Pose::translation(at[0], at[1], at[2]) * Pose::rotation(Vector3::new(0.0, 0.0, heading));
+    PortalSide { region, pose, room: None }
+}
+
+fn house() -> House {
+    let mut plan = SpaceBuilder::new();
+    let house = Region::new(RegionKind::Building, "house").at(RegionFrame::new([4000.0, -3000.0, 60.0], 0.65));
+    let house = plan.add(house).unwrap();
+    plan.add(Region::new(RegionKind::Yard, "yard").within(house).with_numbers(100)).unwrap();
+    let at = |x: f64, y: f64, storey: u32| RegionFrame::new([x, y, HEIGHT * f64::from(storey)], 0.0);
+    for storey in 0..STOREYS {
+        let landing = Region::new(RegionKind::Corridor, "landing").within(house).at(at(5.0, 0.0, storey));
+        plan.add(landing.with_numbers(100)).unwrap();
+    }
+    let stops: Vec<RegionFrame> = (0..STOREYS).map(|storey| at(10.0, 2.5, storey)).collect();
+    plan.add(Region::new(RegionKind::Stairwell, "cabin").within(house).moving(stops).with_numbers(100)).unwrap();
+    let sides = [side(YARD, [5.0, 2.5, 0.0], 0.0), side(landing(0), [0.0, 2.5, 0.0], PI)];
+    plan.join(Portal::new(PortalKind::Passage, sides, 1.0, 2.1)).unwrap();
+    for storey in 0..STOREYS {
+        let sides = [side(landing(storey), [5.0, 2.5, 0.0], 0.0), side(CABIN, [0.0, 0.0, 0.0], PI)];
+        plan.join(Portal::new(PortalKind::Landing, sides, 0.9, 2.1).at_stop(storey)).unwrap();
+    }
+    for storey in 1..STOREYS {
+        let top = [3.5, 4.2, HEIGHT as f32];
+        let sides = [side(landing(storey - 1), top, 0.0), side(landing(storey), [3.5, 4.2, 0.0], PI)];
+        let way = [Point3::new(0.6, 4.2, 0.0), Point3::new(3.4, 4.2, HEIGHT as f32)];
+        plan.join(Portal::new(PortalKind::Landing, sides, 1.1, 2.1).over_stairs(way)).unwrap();
+    }
+    House(Arc::new(plan.build()))
+}
+
+const STAIRS: u32 = 1 + STOREYS;
+
+impl RegionScenes for House {
+    fn space(&self) -> &Arc<Space> {
+        &self.0
+    }
+
+    fn scene(&self, region: RegionId) -> Result<SceneGraph, Box<dyn Error + Send + Sync>> {
+        let plan = self.0.region(region).ok_or("no region")?;
+        let (middle, size) = if region == CABIN { ([0.8, 0.0], 1.6) } else { ([2.5, 2.5], 5.0) };
+        let mut scene = SceneBuilder::new(&*plan.name);
+        scene.numbers(plan.numbers);
+        let at = |z: f32| Pose::translation(middle[0], middle[1], z);
+        let room = Bounds::standing([size, size, 2.5].into());
+        let room = scene.add(Draft::new("hallway").bounds(room).at(at(0.0)))?;
+        scene.add_in(room, Draft::new("floor").bounds(Bounds::standing([size, size, 0.1].into())).at(at(-0.1)))?;
+        if region != CABIN {
+            let table = Draft::new("table").bounds(Bounds::standing([0.6, 0.6, 0.7].into()));
+            let table = scene.add_in(room, table.at(Pose::translation(1.5, 1.0, 0.0)))?;
+            let box_ = Draft::new("cup").bounds(Bounds::standing([0.08, 0.08, 0.1].into()));
+            let cup = scene.add_on(table, box_.at(Pose::translation(1.5, 1.2, 0.7)))?;
+            let _ = cup;
+        }
+        Ok(scene.build())
+    }
+}
+
+fn city(agents: usize) -> City {
+    City::of(house()).agents(agents).make().unwrap()
+}
+
+fn of_class(city: &City, region: RegionId, class: &str) -> NodeId {
+    city.environment(region).unwrap().graph().of_class(class)[0]
+}
+
+/// Takes the cup of the yard.
+fn take_cup(city: &mut City, me: NodeId) -> NodeId {
+    let cup = of_class(city, YARD, "cup");
+    city.set_action(me, Action::walk(cup)).unwrap();
+    city.set_action(me, Action::grab(cup)).unwrap();
+    cup
+}
+
+fn holds(city: &City, me: NodeId, thing: NodeId) -> bool {
+    let environment = city.environment_of(me).unwrap();
+    let graph = environment.graph();
+    let held = graph.held(me).any(|held| held == thing);
+    assert_eq!(held, Relation::hands().iter().any(|hand| graph.has(Edge::new(me, *hand, thing))));
+    held && environment.world().pose(thing).is_some()
+}
+
+#[test]
+fn whoever_goes_takes_along_what_it_carries() {
+    let mut city = city(1);
+    let me = city.agents().next().unwrap();
+    let start = city.region_of(me).unwrap();
+    assert_eq!(start, YARD, "without flats one begins in the first region");
+    let cup = take_cup(&mut city, me);
+    let changes = city.go(me, landing(0)).unwrap();
+    assert!(changes.nodes().any(|id| id == cup));
+    assert_eq!((city.region_of(me), city.region_of(cup)), (Some(landing(0)), Some(landing(0))));
+    assert!(holds(&city, me, cup));
+    let environment = city.environment_of(me).unwrap();
+    let feet = environment.world().pose(me).unwrap().translation;
+    assert!((0.2..1.5).contains(&feet.x) && (1.5..3.5).contains(&feet.y), "{feet}");
+    assert!(environment.graph().room_of(me).is_some());
+    // What it puts down there stays there.
+    let table = of_class(&city, landing(0), "table");
+    city.set_action(me, Action::walk(table)).unwrap();
+    city.set_action(me, Action::place(cup, table)).unwrap();
+    city.go(me, YARD).unwrap();
+    assert_eq!((city.region_of(me), city.region_of(cup)), (Some(YARD), Some(landing(0))));
+    city.step(Span::from_seconds(5.0));
+    assert_eq!(city.active().collect::<Vec<_>>(), [YARD]);
+    assert!(city.environment(YARD).unwrap().graph().node(cup).is_none());
+    // A walk to a thing elsewhere leads there.
+    city.set_action(me, Action::walk(cup)).unwrap();
+    assert_eq!(city.region_of(me), Some(landing(0)));
+    city.set_action(me, Action::grab(cup)).unwrap();
+    assert!(holds(&city, me, cup));
+}
+
+#[test]
+fn one_goes_up_by_lift_and_down_by_stairs() {
+    let mut city = city(1);
+    let me = city.agents().next().unwrap();
+    let cup = take_cup(&mut city, me);
+    city.go(me, landing(2)).unwrap();
+    assert!(holds(&city, me, cup));
+    assert_eq!(city.region_of(me), Some(landing(2)));
+    let by_lift = city.lift(CABIN).unwrap();
+    assert!(matches!(by_lift, LiftState::Opening(2) | LiftState::Open(2)), "{by_lift:?}");
+    let top = city.frame(CABIN).unwrap().origin.z;
+    assert!((top - 66.0).abs() < 1e-9, "{top}");
+    city.step(Span::from_seconds(20.0));
+    assert_eq!(city.lift(CABIN), Some(LiftState::Shut(2)));
+    assert!(!city.portal(PortalId(3)).unwrap().passable);
+
+    city.set_ways(me, |plan| plan.stop == 0 && plan.kind != PortalKind::Window && !is_lift(plan));
+    city.go(me, landing(1)).unwrap();
+    assert!(holds(&city, me, cup));
+    city.go(me, YARD).unwrap();
+    assert_eq!(city.lift(CABIN), Some(LiftState::Shut(2)), "it went down the stairs");
+    assert!(holds(&city, me, cup));
+}
+
+fn is_lift(plan: &Portal) -> bool {
+    plan.sides.iter().any(|side| side.region == CABIN)
+}
+
+#[test]
+fn single_ticks_and_ways_at_once_end_alike() {
+    let start = city(2);
+    let agents: Vec<NodeId> = start.agents().collect();
+    let mut at_once = start.clone();
+    at_once.send(agents[1], landing(1)).unwrap();
+    at_once.go(agents[0], landing(2)).unwrap();
+    for step in [1, 7] {
+        let mut stepped = start.clone();
+        stepped.send(agents[1], landing(1)).unwrap();
+        stepped.send(agents[0], landing(2)).unwrap();
+        while stepped.tick() < at_once.tick() {
+            stepped.step(Span(step.min(at_once.tick().0 - stepped.tick().0)));
+        }
+        assert_eq!(stepped.digest(), at_once.digest(), "in steps of {step}");
+    }
+}
+
+#[test]
+fn who_has_looked_in_makes_no_difference() {
+    let mut digests = Vec::new();
+    for order in [[0, 1, 2], [0, 2, 1], [1, 2, 0], [2, 1, 0], [2, 0, 1], [1, 0, 2]] {
+        let mut city = city(1);
+        let me = city.agents().next().unwrap();
+        order.into_iter().for_each(|storey| drop(city.go(me, landing(storey)).unwrap()));
+        city.go(me, YARD).unwrap();
+        city.step(Span::from_seconds(600.0 - city.tick().0 as f64 / 60.0));
+        assert_eq!(city.active().collect::<Vec<_>>(), [YARD]);
+        digests.push(order.map(|storey| city.region_digest(landing(storey))));
+    }
+    assert!(digests.iter().flatten().all(|digest| digest.is_none()), "nobody has touched anything: {digests:?}");
+}
+
+#[test]
+fn senseless_ways_are_refused() {
+    let mut city = city(1);
+    let me = city.agents().next().unwrap();
+    let nobody = NodeId(7);
+    assert!(matches!(city.go(nobody, YARD), Err(CityError::NoSuchAgent(_))));
+    assert!(matches!(city.go(me, RegionId(0)), Err(CityError::NoWay { .. })));
+    assert!(matches!(city.go(me, RegionId(99)), Err(CityError::NoWay { .. })));
+    city.set_ways(me, |plan| plan.kind == PortalKind::Passage);
+    city.go(me, landing(0)).unwrap();
+    assert!(matches!(city.go(me, landing(1)), Err(CityError::NoWay { .. })));
+    assert!(matches!(city.set_action(me, Action::grab(NodeId(5))), Err(CityError::Action(_))));
+    assert_eq!(city.region_of(me), Some(landing(0)));
+    assert_eq!(STAIRS, 4);
+}
