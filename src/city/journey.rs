@@ -273,7 +273,7 @@ impl City {
         let Some(into) = plan.across(from).map(|side| side.region) else { return Ok(None) };
         let cabin = plan.sides.iter().map(|side| side.region).find(|region| self.lifts.contains_key(region));
         if let Some(lift) = cabin.and_then(|cabin| self.lifts.get_mut(&cabin))
-            && !lift.is_open_at(plan.stop, self.tick)
+            && !lift.is_open_at(plan.stop)
         {
             lift.call(plan.stop);
             return Ok(None);

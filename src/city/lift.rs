@@ -62,7 +62,7 @@ impl Lift {
         }
     }
 
-    pub(super) fn state(&self, _: Tick) -> LiftState {
+    pub(super) fn state(&self) -> LiftState {
         self.state
     }
 
@@ -71,8 +71,14 @@ impl Lift {
         matches!(self.state, LiftState::Shut(_)) && self.calls.is_empty()
     }
 
-    pub(super) fn is_open_at(&self, stop: u32, _: Tick) -> bool {
+    pub(super) fn is_open_at(&self, stop: u32) -> bool {
         self.state == LiftState::Open(stop)
+    }
+
+    /// Whether its doors at a stop are not shut.
+    pub(super) fn is_standing_open(&self, stop: u32) -> bool {
+        use LiftState::{Closing, Open, Opening};
+        [Opening(stop), Open(stop), Closing(stop)].contains(&self.state)
     }
 
     /// Goes on at a tick; `is_crossed` says whether somebody is between the doors.

@@ -132,7 +132,7 @@ impl City {
 
     /// The state of the lift whose cabin is a region.
     pub fn lift(&self, cabin: RegionId) -> Option<LiftState> {
-        Some(self.lifts.get(&cabin)?.state(self.tick))
+        Some(self.lifts.get(&cabin)?.state())
     }
 
     /// Whether a portal lets people, views and sounds through now. People open and shut doors as they pass; a lift lets
@@ -141,7 +141,7 @@ impl City {
         let plan = self.space().portal(portal)?;
         let cabin = plan.sides.iter().find_map(|side| self.lifts.get(&side.region));
         let open = match (cabin, plan.leaf) {
-            (Some(lift), _) if !lift.is_open_at(plan.stop, self.tick) => return Some(PortalState::CLOSED),
+            (Some(lift), _) if !lift.is_open_at(plan.stop) => return Some(PortalState::CLOSED),
             (Some(_), _) => true,
             (None, None) => false,
             (None, Some(leaf)) => self.is_open(leaf),

@@ -18,6 +18,7 @@ impl City {
             // Time has passed there as well; nobody could tell the difference.
             environment.step(Span(self.tick.0.saturating_sub(environment.tick().0)));
             self.active.insert(region, environment);
+            self.move_lift_doors(region);
         }
         self.active.get_mut(&region).ok_or(CityError::NoScene(region))
     }
@@ -39,6 +40,7 @@ impl City {
             let crossed = |journey: &super::Journey| journey.needs(*region);
             self.whereabouts.iter().any(|(node, at)| at == region && self.agents.contains(node))
                 || self.journeys.values().any(crossed)
+                || self.has_open_lift(*region)
         };
         let rests = |(region, environment): (&RegionId, &Environment)| {
             (!is_needed(region) && environment.is_still()).then_some(*region)
@@ -51,6 +53,14 @@ impl City {
                 self.asleep.insert(region, environment);
             }
         }
+    }
+
+    /// Whether the doors of a lift are not shut at a region.
+    fn has_open_lift(&self, region: RegionId) -> bool {
+        let plans = self.space().portals_of(region).filter_map(|portal| self.space().portal(portal));
+        let mut lifts =
+            plans.filter_map(|plan| Some((plan, plan.sides.iter().find_map(|side| self.lifts.get(&side.region))?)));
+        lifts.any(|(plan, lift)| lift.is_standing_open(plan.stop))
     }
 
     /// Whether the leaf of a door or window is open.

@@ -152,9 +152,32 @@ impl City {
 
     fn lifts_pass(&mut self) {
         let now = self.tick;
+        let mut changed = Vec::new();
         for (cabin, lift) in &mut self.lifts {
             let is_crossed = self.journeys.values().any(|journey| journey.crosses(self.source.space(), *cabin));
+            let before = lift.state();
             lift.pass(now, is_crossed);
+            if lift.state() != before {
+                changed.push(*cabin);
+            }
+        }
+        changed.into_iter().for_each(|cabin| self.move_lift_doors(cabin));
+    }
+
+    /// Opens and shuts the doors of a lift, or of all lifts at a region, where they are there to be seen.
+    pub(super) fn move_lift_doors(&mut self, region: RegionId) {
+        let space = self.space().clone();
+        for plan in space.portals_of(region).filter_map(|portal| space.portal(portal)) {
+            let lift = plan.sides.iter().find_map(|side| self.lifts.get(&side.region));
+            let Some((leaf, lift)) = plan.leaf.zip(lift) else { continue };
+            let open = lift.is_open_at(plan.stop);
+            let there = self.region_of(leaf).filter(|region| self.active.contains_key(region));
+            if let Some(environment) =
+                there.filter(|_| self.is_open(leaf) != open).and_then(|at| self.active.get_mut(&at))
+            {
+                // A door that jams stays as it is, and people pass it all the same.
+                drop(environment.set_leaf(leaf, open));
+            }
         }
     }
 }
