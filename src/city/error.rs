@@ -12,6 +12,12 @@ use crate::{ActionError, Interruption, PhysicalRefusal};
 #[derive(Debug, Clone, thiserror::Error)]
 #[non_exhaustive]
 pub enum CityError {
+    /// The name is of no kind that is known.
+    #[error("`{0}` names no city; write `building/7`, or `apartment/42` for a home alone: seeds are whole numbers")]
+    Name(String),
+    /// The plan could not be generated.
+    #[error(transparent)]
+    Generation(Arc<vc_procgen::BuildingError>),
     /// The node is no agent of this city.
     #[error("{0} is no agent of this city: `agents` lists them")]
     NoSuchAgent(Label),

@@ -9,7 +9,7 @@ use vc_graph::{Draft, NodeId, Pose, SceneBuilder};
 use vc_physics::{PhysicsWorld, ShapeCache};
 
 use super::lift::Lift;
-use super::{City, CityError, RegionScenes};
+use super::{City, CityError, RegionScenes, source};
 use crate::environment::{Departure, TravelError};
 use crate::{Environment, EnvironmentBuilder};
 
@@ -67,13 +67,29 @@ impl CityBuilder {
 }
 
 impl City {
+    /// The city with a name, with so many agents: `building/7` is generated from a seed, `apartment/42` is a home alone.
+    ///
+    /// ```
+    /// use virtualcity::City;
+    /// let home = City::make("apartment/42", 1)?;
+    /// assert_eq!(home.space().len(), 1);
+    /// assert!(City::make("castle/3", 1).is_err());
+    /// # Ok::<(), virtualcity::CityError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`CityError`].
+    pub fn make(name: &str, agents: usize) -> Result<Self, CityError> {
+        Self::builder(source::named(name)?).agents(agents).make()
+    }
+
     /// A builder of a city of regions whose scenes come from somewhere.
     pub fn of(source: impl RegionScenes) -> CityBuilder {
-        CityBuilder {
-            source: Arc::new(source),
-            agents: 1,
-            settings: Environment::builder_from_scene(SceneBuilder::new("").build()),
-        }
+        Self::builder(Arc::new(source))
+    }
+
+    fn builder(source: Arc<dyn RegionScenes>) -> CityBuilder {
+        CityBuilder { source, agents: 1, settings: Environment::builder_from_scene(SceneBuilder::new("").build()) }
     }
 
     /// The regions in which agents begin.

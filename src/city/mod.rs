@@ -38,8 +38,14 @@ pub use time::CityEnding;
 ///
 /// ```
 /// use virtualcity::City;
-/// use virtualcity::graph::Action;
-/// use std::error::Error;
+/// use virtualcity::graph::space::RegionKind;
+/// let mut city = City::make("building/7", 1)?;
+/// let me = city.agents().next().ok_or("somebody")?;
+/// // The first home on the storey above.
+/// let units = city.space().regions().filter(|(_, region)| region.kind == RegionKind::Unit);
+/// let above = units.map(|(id, _)| id).nth(2).ok_or("a home")?;
+/// city.go(me, above)?;
+/// assert_eq!(city.region_of(me), Some(above));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone)]

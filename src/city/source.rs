@@ -3,8 +3,11 @@
 use std::error::Error;
 use std::sync::Arc;
 
-use vc_graph::SceneGraph;
-use vc_graph::space::{RegionId, Space};
+use vc_graph::space::{Region, RegionId, RegionKind, Space};
+use vc_graph::{SceneGraph, Seed};
+use vc_procgen::{Apartment, Building};
+
+use super::CityError;
 
 /// A plan of regions, and the scene of each when somebody comes there: implement it for a generator of your own.
 ///
@@ -46,4 +49,42 @@ pub trait RegionScenes: Send + Sync + 'static {
     /// # Errors
     /// Any reason for which it cannot be made.
     fn scene(&self, region: RegionId) -> Result<SceneGraph, Box<dyn Error + Send + Sync>>;
+}
+
+impl RegionScenes for Building {
+    fn space(&self) -> &Arc<Space> {
+        self.space()
+    }
+
+    fn scene(&self, region: RegionId) -> Result<SceneGraph, Box<dyn Error + Send + Sync>> {
+        Ok(self.scene(region)?)
+    }
+}
+
+/// A single generated home.
+struct Home {
+    seed: Seed,
+    space: Arc<Space>,
+}
+
+impl RegionScenes for Home {
+    fn space(&self) -> &Arc<Space> {
+        &self.space
+    }
+
+    fn scene(&self, _: RegionId) -> Result<SceneGraph, Box<dyn Error + Send + Sync>> {
+        Ok(Apartment::from_seed(self.seed)?.scene())
+    }
+}
+
+/// The regions of a name: `building/SEED`, or `apartment/SEED` for a home as the only region.
+pub(super) fn named(name: &str) -> Result<Arc<dyn RegionScenes>, CityError> {
+    let unknown = || CityError::Name(name.to_owned());
+    let (kind, seed) = name.split_once('/').ok_or_else(unknown)?;
+    let seed = Seed(seed.parse().map_err(|_| unknown())?);
+    match kind {
+        "building" => Ok(Arc::new(Building::from_seed(seed).map_err(|why| CityError::Generation(Arc::new(why)))?)),
+        "apartment" => Ok(Arc::new(Home { seed, space: Space::single(Region::new(RegionKind::Unit, name))?.into() })),
+        _ => Err(unknown()),
+    }
 }

@@ -14,7 +14,9 @@ use super::{Attempt, Disagreement, Interruption};
 #[non_exhaustive]
 pub enum MakeError {
     /// The name is of no kind that is known.
-    #[error("`{0}` names no environment; write `apartment/42` or `scene:FILE`")]
+    #[error(
+        "`{0}` names no environment; write `apartment/42` or `scene:FILE` (`building/7` has several: `City::make`)"
+    )]
     UnknownName(String),
     /// The seed is no number.
     #[error("`{0}` is no seed: a seed is a whole number from 0 to 18446744073709551615")]

@@ -214,3 +214,19 @@ fn senseless_ways_are_refused() {
     assert_eq!(city.region_of(me), Some(landing(0)));
     assert_eq!(STAIRS, 4);
 }
+
+#[test]
+fn neighbours_visit_each_other() {
+    let mut city = City::make("building/7", 2).unwrap();
+    let agents: Vec<NodeId> = city.agents().collect();
+    let homes: Vec<RegionId> =
+        city.space().regions().filter(|(_, region)| region.kind == RegionKind::Unit).map(|(id, _)| id).collect();
+    assert_eq!(agents.iter().map(|id| city.region_of(*id).unwrap()).collect::<Vec<_>>(), homes[..2]);
+    city.go(agents[0], homes[4]).unwrap();
+    assert_eq!(city.region_of(agents[0]), Some(homes[4]));
+    let is_landing = |plan: &Portal| plan.kind != PortalKind::Landing || !plan.stairs.is_empty();
+    city.set_ways(agents[0], is_landing);
+    city.go(agents[0], homes[1]).unwrap();
+    let together = city.environment(homes[1]).unwrap();
+    assert_eq!(together.agents().len(), 2);
+}
