@@ -2,8 +2,6 @@
 //!
 //! `cargo run --release --example own_object -- out/own_object.png` puts a samovar on a table and draws both.
 
-#[path = "support/no_options.rs"]
-mod no_options;
 #[path = "support/output.rs"]
 mod output;
 mod support;
@@ -32,7 +30,6 @@ fn samovar(b: &mut Build<'_>) {
 }
 
 fn main() -> Result<(), Complaint> {
-    no_options::no_options();
     let path = output::output("own_object", "out/own_object.png")?;
     let classes = ClassTable::builtin().extended("own_object.txt", ROW).map_err(Complaint::new)?;
     let mut generators = Generators::default();

@@ -3,8 +3,6 @@
 //! `cargo run --release --example sensors -- out/sensors` lets an agent fetch something, and writes what each saw, the
 //! lidar's points on a plan of the home and as a file for MeshLab or CloudCompare, and the cameras as JSON.
 
-#[path = "support/no_options.rs"]
-mod no_options;
 #[path = "support/output.rs"]
 mod output;
 mod support;
@@ -23,7 +21,6 @@ use virtualcity::{Environment, Lens, Mount, Viewpoint, files};
 const SIZE: (u32, u32) = (320, 240);
 
 fn main() -> Result<(), Complaint> {
-    no_options::no_options();
     let folder = output::output("sensors", "out/sensors")?;
     files::create_folder(&folder)?;
     let mut home = Environment::make("apartment/42", 1)?;

@@ -6,8 +6,6 @@
 //!
 //! prints the end of each action with its time, and writes a picture of the kitchen for every half second into the folder.
 
-#[path = "support/no_options.rs"]
-mod no_options;
 #[path = "support/output.rs"]
 mod output;
 mod support;
@@ -19,7 +17,6 @@ use virtualcity::render::{Modality, picture};
 use virtualcity::{Environment, Viewpoint};
 
 fn main() -> Result<(), Complaint> {
-    no_options::no_options();
     let folder = output::output("side_by_side", "out/side_by_side")?;
     virtualcity::files::create_folder(&folder)?;
     let mut home = Environment::make("apartment/42", 2)?;

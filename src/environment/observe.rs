@@ -79,13 +79,17 @@ pub(super) fn look_again(
     relations: &mut Relations,
     changed: &[NodeId],
 ) -> Result<(Vec<NodeId>, ChangeSet), PhysicalRefusal> {
-    let disturbed = world.moved();
+    let mut disturbed = world.moved();
+    // The rule has moved these in the graph, whether or not their bodies have moved.
+    disturbed.extend(changed);
+    disturbed.sort_unstable();
+    disturbed.dedup();
     let (moved, poses) = write_poses_of(graph, world, &disturbed, changed)?;
     let stay = graph.agents().iter().filter(|agent| !moved.contains(agent));
     let faced: Vec<Edge> = stay.flat_map(|agent| faced_by(graph, *agent)).collect();
     let all = [moved.as_slice(), changed].concat();
     // A thing that is put on or used up has lost its body: only the rule names it.
-    let evidence: Vec<NodeEvidence> = disturbed.iter().chain(changed).map(|id| evidence_of(world, *id)).collect();
+    let evidence: Vec<NodeEvidence> = disturbed.iter().map(|id| evidence_of(world, *id)).collect();
     let read = relations.update_nodes(graph, &all, &evidence).map_err(PhysicalRefusal::from);
     let kept = |graph: &SceneGraph, id: NodeId| {
         boxes::still_at(start, graph, world, id)
@@ -130,6 +134,15 @@ pub(super) fn holder(change: &Change) -> Option<NodeId> {
         Link(e) | Unlink(e) if matches!(e.relation, Relation::HoldsRight | Relation::HoldsLeft) => Some(e.to),
         Link(e) | Unlink(e) if Relation::places().contains(&e.relation) => Some(e.from),
         _ => None,
+    }
+}
+
+/// The node that the rule has moved by a change: what lies on a thing that is taken goes with it in the graph, and stays
+/// behind if something else carries it as well.
+pub(super) fn moved_by_rule(change: &Change) -> Option<NodeId> {
+    match change {
+        Change::Pose { id, .. } => Some(*id),
+        change => holder(change),
     }
 }
 

@@ -5,7 +5,8 @@ use std::sync::OnceLock;
 use virtualcity::Environment;
 use virtualcity::graph::format::{read_scene, thesis};
 use virtualcity::graph::{
-    Action, ClassTable, Node, NodeId, NodeKind, Place, Property, Relation, SceneGraph, Seed, Verb,
+    Action, Bounds, ClassTable, Draft, Node, NodeId, NodeKind, Place, Pose, Property, Relation, SceneBuilder,
+    SceneGraph, Seed, Verb,
 };
 use virtualcity::physics::BodyRole;
 use virtualcity::planner::{EpisodeOptions, PlannerPolicy};
@@ -126,6 +127,33 @@ fn what_is_held_in_boxes_is_put_elsewhere() {
     home.put(mug, Place { relation: Relation::On, at: table }).unwrap();
     assert_eq!(home.world().role(mug), Some(BodyRole::Loose));
     assert!(home.world().supports(mug).contains(&table));
+    is_as_read(&home);
+}
+
+/// A thing that lies on two others stays on one if the other is taken, and is where it was.
+#[test]
+fn who_lies_on_two_stays_on_one() {
+    let mut scene = SceneBuilder::new("studio");
+    let size = |x: f32, y: f32, z: f32| Bounds::standing([x, y, z].into());
+    let at = Pose::translation;
+    let room = scene.add(Draft::new("kitchen").bounds(size(5.0, 5.0, 2.5)).at(Pose::identity())).unwrap();
+    scene.add_in(room, Draft::new("floor").bounds(size(5.0, 5.0, 0.1)).at(at(0.0, 0.0, -0.1))).unwrap();
+    let table = scene.add_in(room, Draft::new("table").bounds(size(0.8, 0.8, 0.7)).at(at(1.0, 0.0, 0.0))).unwrap();
+    let mut book = |on: NodeId, y: f32, z: f32| {
+        scene.add_on(on, Draft::new("book").bounds(size(0.2, 0.15, 0.05)).at(at(1.0, y, z))).unwrap()
+    };
+    let [left, right] = [book(table, 0.08, 0.7), book(table, -0.08, 0.7)];
+    let above = book(left, 0.04, 0.75);
+    let mut home = Environment::from_scene(scene.build(), 1).unwrap();
+    let on = |home: &Environment| home.graph().places(above).map(|place| place.at).collect::<Vec<NodeId>>();
+    assert!(on(&home).contains(&left) && on(&home).contains(&right), "{:?}", on(&home));
+    let (me, before) = (home.agents()[0], home.world().pose(above).unwrap());
+    act(&mut home, me, Verb::Walk, &[right]);
+    act(&mut home, me, Verb::Grab, &[right]);
+    assert_eq!(on(&home), [left]);
+    let (seen, is) = (home.graph().node(above).and_then(Node::position).unwrap(), home.world().pose(above).unwrap());
+    assert!((is.translation.vector - before.translation.vector).norm() < 0.02);
+    assert_eq!(seen.coords, is.translation.vector);
     is_as_read(&home);
 }
 

@@ -13,7 +13,7 @@ use super::show::Settling;
 use super::track::{Leaf, Track, Turn};
 use crate::environment::execute::{Bodies, Plan, Planner, Step, Task, WIDE};
 use crate::environment::motion::{BodyMotion, Drive};
-use crate::environment::observe::holder;
+use crate::environment::observe::moved_by_rule;
 use crate::environment::{ActionError, Attempt, Environment, PhysicalRefusal};
 
 /// How often somebody who walks on is followed.
@@ -47,7 +47,11 @@ impl Environment {
 
     /// Ends an action that the rule refuses; whether it does.
     fn is_refused(&mut self, agent: NodeId, action: &Action) -> bool {
-        let refusals = rule::refusals(&self.graph, agent, action);
+        let mut refusals = rule::refusals(&self.graph, agent, action);
+        if refusals.is_empty() && !action.verb.is_builtin() {
+            // Effects that a vocabulary puts together may not all be possible at once.
+            refusals = rule::step(&mut self.graph.clone(), agent, action).err().unwrap_or_default();
+        }
         let refused = !refusals.is_empty();
         if refused {
             self.end(agent, *action, Err(ActionError::Refused(refusals)));
@@ -396,7 +400,7 @@ impl Environment {
         let action = schedule.action;
         self.clock.about_to_change(&before);
         self.tell_others(agent, &action);
-        self.clock.changed.extend(changes.changes().iter().filter_map(holder).chain([agent]));
+        self.clock.changed.extend(changes.changes().iter().filter_map(moved_by_rule).chain([agent]));
         self.clock.unseen = true;
         self.clock.note(changes);
     }

@@ -124,17 +124,25 @@ impl Environment {
     /// once.
     pub fn step(&mut self, span: Span) -> Vec<Ending> {
         self.advance(self.tick() + span);
-        std::mem::take(&mut self.clock.endings)
+        self.take_endings()
+    }
+
+    /// The endings since the last call, by their ticks, then by their agents.
+    fn take_endings(&mut self) -> Vec<Ending> {
+        let mut endings = std::mem::take(&mut self.clock.endings);
+        endings.sort_by_key(|ending| (ending.tick, ending.agent));
+        endings
     }
 
     /// Lets time pass until nobody does anything any more, at most a span; returns the actions that have ended.
     pub fn step_until_idle(&mut self, most: Span) -> Vec<Ending> {
         self.advance_while(self.tick() + most, Self::is_busy);
-        std::mem::take(&mut self.clock.endings)
+        self.take_endings()
     }
 
-    /// Lets time pass until a tick.
+    /// Lets time pass until a tick, or until the last one that can be counted.
     fn advance(&mut self, end: Tick) {
+        let end = end.min(self.last_tick());
         while self.tick() < end {
             match self.next_live().filter(|tick| *tick < end) {
                 Some(tick) => {
@@ -167,10 +175,16 @@ impl Environment {
 
     /// Lets time pass while something is the case, at most until a tick.
     fn advance_while(&mut self, end: Tick, holds: impl Fn(&Self) -> bool) {
+        let end = end.min(self.last_tick());
         while holds(self) && self.tick() < end {
             let next = self.next_live().unwrap_or(end).max(self.tick());
             self.advance((next + Span(1)).min(end));
         }
+    }
+
+    /// Bodies count their steps from before tick zero on.
+    fn last_tick(&self) -> Tick {
+        Tick(u64::MAX - self.clock.zero)
     }
 
     /// The tick: the time that has passed since the environment was made, in sixtieths of a second.

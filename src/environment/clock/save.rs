@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use vc_graph::clock::Running;
 use vc_graph::format::native;
 use vc_graph::hash::Digester;
-use vc_graph::{Action, ChangeSet, NodeId, SceneGraph};
+use vc_graph::{Action, ChangeSet, NodeId, ObjectNames, SceneGraph};
 use vc_physics::RestProgress;
 use vc_relations::Evidence;
 
@@ -21,6 +21,9 @@ use crate::environment::{Environment, SaveError};
 struct SavedClock {
     zero: u64,
     given: BTreeMap<NodeId, Action>,
+    /// The names by which these actions call their things: they are checked when the actions begin.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    called: BTreeMap<NodeId, ObjectNames>,
     running: BTreeMap<NodeId, Schedule>,
     truths: BTreeMap<NodeId, SavedTruth>,
     rest: RestProgress,
@@ -62,6 +65,7 @@ impl Environment {
         let saved = SavedClock {
             zero: clock.zero,
             truths: truths.collect::<Result<_, SaveError>>()?,
+            called: clock.given.iter().map(|(agent, action)| (*agent, action.called)).collect(),
             given: clock.given,
             running: clock.running,
             rest: clock.rest,
@@ -114,6 +118,11 @@ impl Environment {
             let truth = self.restored_truth(truth)?;
             if let Some(schedule) = saved.running.get_mut(&agent) {
                 schedule.truth = Some(truth);
+            }
+        }
+        for (agent, called) in saved.called {
+            if let Some(action) = saved.given.get_mut(&agent) {
+                action.called = called;
             }
         }
         let positions = saved.positions.into_iter().map(|(id, joint, at)| ((id, joint), at)).collect();

@@ -5,6 +5,7 @@ use vc_physics::{BodyRole, Hand};
 
 use crate::environment::Environment;
 use crate::environment::execute::load_of;
+use crate::environment::observe::moved_by_rule;
 
 /// A node, and the number of its moving part where it is that.
 type Held = (NodeId, Option<usize>);
@@ -61,6 +62,7 @@ impl Environment {
         for effect in rule::effects(self.graph.vocabulary(), action) {
             // The graph can say all that bodies do.
             let changes = rule::carry_out(&mut self.graph, agent, &effect).unwrap_or_default();
+            self.clock.changed.extend(changes.changes().iter().filter_map(moved_by_rule));
             self.clock.note(changes);
         }
         self.clock.changed.push(id);

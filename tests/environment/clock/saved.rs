@@ -140,3 +140,26 @@ fn saved_in_every_tenth_tick() {
         }
     }
 }
+
+/// The name by which an action calls its thing is checked when the action begins, also in a home that has been saved before.
+#[test]
+fn a_saved_action_keeps_the_names_that_it_uses() {
+    let mut home = Environment::make("apartment/3", 1).unwrap();
+    let (me, fridge) = (home.agents()[0], first(&home, "fridge"));
+    home.give(me, format!("walk mug.{}", fridge.0).parse().unwrap());
+    let mut restored = home.restore(&home.save().unwrap()).unwrap();
+    let outcomes = [&mut home, &mut restored].map(|home| home.step(Span(1000)));
+    assert!(outcomes.iter().all(|endings| endings[0].outcome.is_err()));
+    assert_eq!(home.digest(), restored.digest());
+}
+
+/// The longest span ends with the last tick that can be counted.
+#[test]
+fn the_longest_span_has_an_end() {
+    let mut home = Environment::make("apartment/3", 1).unwrap();
+    home.step(Span::MAX);
+    let last = home.tick();
+    home.step(Span::MAX);
+    home.step_until_idle(Span::MAX);
+    assert_eq!(home.tick(), last);
+}

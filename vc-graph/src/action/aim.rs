@@ -117,6 +117,9 @@ pub enum AimError {
     /// A word that is no number.
     #[error("`{0}` is not a number, as in `at 1.20 0.40 yaw 90`")]
     Number(String),
+    /// A number of a seat or slot that is none.
+    #[error("`{0}` is no seat or slot: these are whole numbers from 1 to 65535, as in `seat 2`")]
+    Whole(String),
     /// A number that is not finite, or a point that is more than 1,000 km away.
     #[error("{0} is not finite, or more than 1,000 km away")]
     OutOfRange(String),

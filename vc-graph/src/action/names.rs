@@ -106,7 +106,8 @@ impl SceneGraph {
 /// assert!(wrong[0].to_string().starts_with("kitchen_table.2 is not what the action calls it"));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Debug, Clone, Copy, Default, serde::Serialize, serde::Deserialize)]
+#[serde(transparent)]
 pub struct ObjectNames([Option<NonZeroU32>; 2]);
 
 impl ObjectNames {

@@ -54,7 +54,7 @@ fn number(text: &str) -> Result<f64, AimError> {
 }
 
 fn count(text: &str) -> Result<u16, AimError> {
-    text.parse().map_err(|_| AimError::Number(clip(text)))
+    text.parse().map_err(|_| AimError::Whole(clip(text)))
 }
 
 /// As in the text of an action, with a space before each word.
