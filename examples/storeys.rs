@@ -63,7 +63,7 @@ fn main() -> Result<(), Complaint> {
 /// Prints regions and portals.
 fn tell(building: &Building) {
     let space = building.space();
-    for (id, region) in space.regions().filter(|(_, region)| region.has_scene()) {
+    for (id, _) in space.regions().filter(|(_, region)| region.has_scene()) {
         let beyond = space.portals_of(id).filter_map(|portal| {
             let plan = space.portal(portal)?;
             Some(format!("{} to {}", plan.kind, space.region(plan.across(id)?.region)?.name))
@@ -113,7 +113,7 @@ fn outside(scene: &SceneGraph, from: f32) -> Result<Vec<u8>, Complaint> {
     let mut renderer = Renderer::new();
     let snapshot = renderer.snapshot(scene)?;
     let lighting = renderer.light(&snapshot, &Daylight::clear(0.8, -1.1));
-    let (distance, target) = (38.0, Point3::new(0.0, 1.0, 3.5));
+    let (distance, target) = (33.0, Point3::new(0.0, 1.0, 3.5));
     let eye = target + Vector3::new(distance * from.cos(), distance * from.sin(), 0.45 * distance);
     let camera = Camera::with_fov(PICTURE.0, PICTURE.1, 0.7).looking(eye, target);
     let mut frame = Frame::new();

@@ -15,8 +15,12 @@ pub(super) const FLOOR: usize = 0;
 pub(super) const DOOR: usize = 1;
 pub(super) const CALL: usize = 2;
 
-/// Half the side of a column, and half that of the northern edge's rail ends.
+/// Half the side of a column.
 const COLUMN: f32 = 0.12;
+/// The call button: depth, width, height, the height of its lower edge, and its distance from the door.
+const CALL_BUTTON: [f32; 3] = [0.02, 0.08, 0.12];
+const CALL_HEIGHT: f32 = 0.98;
+const BESIDE: f32 = 0.22;
 
 /// A gallery as it is on one storey.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -32,18 +36,13 @@ pub(super) struct Gallery {
 impl Gallery {
     /// All its items; those with a place come first.
     pub(super) fn items(&self, looks: &Looks, maker: Maker<'_>) -> Vec<Item> {
-        let mut items = Vec::new();
-        items.extend(solid("floor", &self.floor(looks)));
-        let (width, height) = LIFT_DOOR;
-        let door = maker.sized("lift_door", [SHAFT_WALL, width, height]);
-        items.extend(door.map(|door| mounted(door, [LIFT, DECK.y1 + SHAFT_WALL / 2.0, 0.0], -FRAC_PI_2)));
-        let call = maker.sized("call_button", [0.02, 0.08, 0.12]);
-        let beside = LIFT - width / 2.0 - 0.22;
-        items.extend(call.map(|call| placed(call, [beside, DECK.y1 - 0.01, 0.98], -FRAC_PI_2, Support::Wall)));
+        let mut items = Vec::from_iter(solid("floor", &self.floor(looks)));
+        items.extend(lift_door(maker));
+        items.extend(call_button(maker));
         items.extend(self.shaft(looks));
         items.extend(self.rails().iter().map(|line| rail("railing", line, looks.rail(), maker.style)));
         if !self.top {
-            items.extend(stairs(looks.slab, looks.rail(), maker.style));
+            items.extend(stairs(self.ground, looks, maker.style));
             items.extend(columns(looks));
         }
         items
@@ -81,32 +80,67 @@ impl Gallery {
 
     /// The lines of the railings: around the deck and along the bridges, open to the yard, the stairs, the lift.
     fn rails(&self) -> Vec<[P; 2]> {
-        let deck = DECK.grown(-INSET);
-        // Columns stand in the southern corners where there is a gallery above.
-        let corner = if self.top { deck } else { DECK.grown(-2.0 * COLUMN - 0.02) };
-        let line = |x0: f32, y0: f32, x1: f32, y1: f32| [[x0, y0, 0.0], [x1, y1, 0.0]];
-        let gate = if self.ground { GATE / 2.0 } else { 0.0 };
-        let mut lines = if self.ground {
-            vec![line(corner.x0, deck.y0, -gate, deck.y0), line(gate, deck.y0, corner.x1, deck.y0)]
+        let bridges = self.bridges.iter().flat_map(|bridge| self.side(bridge));
+        self.south().into_iter().chain(self.north()).chain(bridges).collect()
+    }
+
+    /// Where the railings begin in the south: at the columns that stand in the corners if there is a gallery above.
+    fn corner(&self) -> Area {
+        DECK.grown(if self.top { -INSET } else { -2.0 * COLUMN - 0.02 })
+    }
+
+    /// The southern edge, with a gap to the yard.
+    fn south(&self) -> Vec<[P; 2]> {
+        let (corner, y) = (self.corner(), DECK.y0 + INSET);
+        let gate = GATE / 2.0;
+        if self.ground {
+            vec![line((corner.x0, y), (-gate, y)), line((gate, y), (corner.x1, y))]
         } else {
-            vec![line(corner.x0, deck.y0, corner.x1, deck.y0)]
-        };
-        // No stairs go up from the last gallery, none come up to the ground.
+            vec![line((corner.x0, y), (corner.x1, y))]
+        }
+    }
+
+    /// The northern edge, with gaps for stairs and shaft: no stairs go up from the last gallery, none come up to the ground.
+    fn north(&self) -> [[P; 2]; 3] {
+        let (deck, shaft) = (DECK.grown(-INSET), SHAFT.0 + SHAFT_WALL);
         let west = if self.top { BACK.0 - BANISTER } else { UP.0 + BANISTER };
         let east = if self.ground { UP.1 + BANISTER } else { BACK.1 - BANISTER };
-        let outer = SHAFT.0 + SHAFT_WALL;
-        lines.push(line(deck.x0, deck.y1, west, deck.y1));
-        lines.push(line(east, deck.y1, LIFT - outer, deck.y1));
-        lines.push(line(LIFT + outer, deck.y1, deck.x1, deck.y1));
-        for (x, bridge) in [deck.x0, deck.x1].into_iter().zip(self.bridges) {
-            let far = if x < 0.0 { bridge.x0 + INSET } else { bridge.x1 - INSET };
-            for (from, edge) in [(corner.y0, bridge.y0 + INSET), (deck.y1, bridge.y1 - INSET)] {
-                lines.push(line(x, from, x, edge));
-                lines.push(line(x, edge, far, edge));
-            }
-        }
-        lines
+        let along = |from: f32, to: f32| line((from, deck.y1), (to, deck.y1));
+        [along(deck.x0, west), along(east, LIFT - shaft), along(LIFT + shaft, deck.x1)]
     }
+
+    /// The edge at which a bridge begins, and both sides of the bridge.
+    fn side(&self, bridge: &Area) -> [[P; 2]; 4] {
+        let (deck, south) = (DECK.grown(-INSET), self.corner().y0);
+        let is_west = bridge.x0 < DECK.x0;
+        let (near, far) = if is_west { (deck.x0, bridge.x0 + INSET) } else { (deck.x1, bridge.x1 - INSET) };
+        let [low, high] = [bridge.y0 + INSET, bridge.y1 - INSET];
+        [
+            line((near, south), (near, low)),
+            line((near, low), (far, low)),
+            line((near, deck.y1), (near, high)),
+            line((near, high), (far, high)),
+        ]
+    }
+}
+
+/// The door of the lift: its leaves slide in the shaft.
+fn lift_door(maker: Maker<'_>) -> Option<Item> {
+    let door = maker.sized("lift_door", [SHAFT_WALL, LIFT_DOOR.0, LIFT_DOOR.1])?;
+    Some(mounted(door, [LIFT, DECK.y1 + SHAFT_WALL / 2.0, 0.0], -FRAC_PI_2))
+}
+
+/// The button beside it that calls the lift.
+fn call_button(maker: Maker<'_>) -> Option<Item> {
+    let [depth, width, height] = CALL_BUTTON;
+    let button = maker.sized("call_button", [depth, width, height])?;
+    let at = [LIFT - LIFT_DOOR.0 / 2.0 - BESIDE, DECK.y1 - depth / 2.0, CALL_HEIGHT];
+    Some(placed(button, at, -FRAC_PI_2, Support::Wall))
+}
+
+/// A line on the floor.
+fn line((x0, y0): (f32, f32), (x1, y1): (f32, f32)) -> [P; 2] {
+    [[x0, y0, 0.0], [x1, y1, 0.0]]
 }
 
 /// Two columns under the southern corners of the next gallery.

@@ -4,9 +4,10 @@ use nalgebra::Point3;
 use vc_shapes::material::MaterialId;
 use vc_shapes::{Build, Style};
 
+use super::looks::Looks;
 use super::measures::{BACK, BANISTER, DECK, FLIGHT, GOING, LANDING, RISE, RISES, SLAB, STOREY, UP};
 use super::parts::{P, built};
-use super::rail::{Looks, rail};
+use super::rail::rail;
 use crate::item::Item;
 
 /// How deep a step is below its tread: it rests on the one before.
@@ -48,18 +49,18 @@ fn tread((x0, x1): (f32, f32), y: f32, rises: usize) -> (P, P) {
     ([x0, y, z], [x1, y + GOING, z])
 }
 
-/// The stairs of a storey with their banisters.
-pub(super) fn stairs(material: MaterialId, looks: Looks, style: &Style) -> Vec<Item> {
+/// The stairs of a storey with their banisters; the posts of the lowest stand on the ground.
+pub(super) fn stairs(ground: bool, looks: &Looks, style: &Style) -> Vec<Item> {
     let at = [f32::midpoint(UP.0, BACK.1), FOOT, 0.0];
     let flights = built("stairs", at, style, |b| {
-        b.at([-at[0], -at[1], -at[2]], 0.0, |b| {
-            for (index, (low, high)) in treads().into_iter().enumerate() {
-                step(b, index, (low, high), material);
+        b.at(at.map(|axis| -axis), 0.0, |b| {
+            for (index, tread) in treads().into_iter().enumerate() {
+                step(b, index, tread, looks.slab);
             }
-            posts(b, material);
+            posts(b, if ground { -SLAB } else { STOREY / 2.0 - STOREY }, looks.slab);
         });
     });
-    let banisters = lines().into_iter().map(|line| rail("banister", &line, looks, style));
+    let banisters = lines().into_iter().map(|line| rail("banister", &line, looks.rail(), style));
     std::iter::once(flights).chain(banisters).collect()
 }
 
@@ -67,17 +68,15 @@ fn step(b: &mut Build<'_>, index: usize, (low, high): (P, P), material: Material
     let is_landing = index + 1 == RISES;
     let (name, deep) = if is_landing { ("landing".to_owned(), SLAB) } else { (format!("step_{}", index + 1), DEEP) };
     b.block(&name, [low[0], low[1], low[2] - deep], high, material);
-    let (centre, half) = ([f32::midpoint(low[0], high[0]), f32::midpoint(low[1], high[1]), high[2]], |axis: usize| {
-        (high[axis] - low[axis]) / 2.0
-    });
-    b.top(&name, centre, (0.9 * half(0), 0.9 * half(1)));
+    let centre = [f32::midpoint(low[0], high[0]), f32::midpoint(low[1], high[1]), high[2]];
+    b.top(&name, centre, (0.45 * (high[0] - low[0]), 0.45 * (high[1] - low[1])));
 }
 
-/// Two posts behind the landing, from the one below or out of the ground.
-fn posts(b: &mut Build<'_>, material: MaterialId) {
-    let (north, high) = (FOOT + FLIGHT + LANDING, STOREY / 2.0);
+/// Two posts behind the landing, from the one below or from the ground.
+fn posts(b: &mut Build<'_>, foot: f32, material: MaterialId) {
+    let north = FOOT + FLIGHT + LANDING;
     for west in [UP.0, BACK.1 - POST] {
-        b.block("post", [west, north, high - STOREY], [west + POST, north + POST, high], material);
+        b.block("post", [west, north, foot], [west + POST, north + POST, STOREY / 2.0], material);
     }
 }
 

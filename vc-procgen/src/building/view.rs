@@ -31,14 +31,14 @@ impl Building {
         }
         let tower = Area { y1: DECK.y1 + FLIGHT + LANDING, ..DECK };
         let mut items = self.items(Part::Gallery(storey));
-        let mut names = vec![("gallery", [0.0, DECK.centre().1])];
+        let mut names = vec![("Gallery", [0.0, DECK.centre().1])];
         let mut ground = places.iter().flat_map(|place| place.outline.iter().copied()).fold(tower, Area::around_both);
         if storey == 0 {
             let to_shaft = Translation3::new(LIFT, DECK.y1, 0.0);
             let cabin = self.items(Part::Cabin).into_iter();
             items.extend(cabin.map(|item| Item { pose: to_shaft * item.pose, ..item }));
             items.extend(self.items(Part::Yard));
-            names.extend([("lift", [LIFT, DECK.y1 + 1.0]), ("yard", [YARD.centre().0, YARD.centre().1])]);
+            names.extend([("Lift", [LIFT, DECK.y1 + 1.0]), ("Yard", [YARD.centre().0, YARD.centre().1])]);
             ground = ground.around_both(YARD);
         }
         Ok(StoreyView { ground, homes, items, names })

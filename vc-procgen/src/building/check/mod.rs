@@ -28,26 +28,30 @@ impl Building {
     /// # Ok::<(), vc_procgen::BuildingError>(())
     /// ```
     pub fn violations(&self) -> Vec<BuildingViolation> {
-        let regions = self.space().regions().filter(|(_, region)| region.has_scene()).map(|(id, _)| id);
-        let (made, broken): (Vec<_>, Vec<_>) = regions.map(|region| self.made(region)).partition(Result::is_ok);
-        let made: Vec<Made> = made.into_iter().flatten().collect();
-        let mut found: Vec<_> = broken.into_iter().filter_map(Result::err).map(BuildingViolation::Broken).collect();
-        for this in &made {
-            found.extend(this.scene.validate().into_iter().map(|fault| BuildingViolation::Scene(this.region, fault)));
-            found.extend(self.misnumbered(this));
-            found.extend(self.outside(this));
+        let regions = self.space().regions().filter(|(_, region)| region.has_scene());
+        let (mut made, mut found) = (Vec::new(), Vec::new());
+        for (region, _) in regions {
+            match self.made(region) {
+                Ok(this) => made.push(this),
+                Err(error) => found.push(BuildingViolation::Broken(error)),
+            }
         }
+        found.extend(made.iter().flat_map(|this| self.faults(this)));
         found.extend(overlaps(&made));
-        let galleries = self
-            .storeys()
-            .iter()
-            .filter_map(|storey| Some((storey, &made.iter().find(|this| this.region == storey.gallery)?.scene)));
-        let galleries: Vec<_> = galleries.collect();
         found.extend(self.leaves(&made));
         found.extend(self.storeys().iter().flat_map(|storey| self.front_doors(storey)));
+        let scene = |region| made.iter().find(|this| this.region == region).map(|this| &this.scene);
+        let galleries = self.storeys().iter().filter_map(|storey| Some((storey, scene(storey.gallery)?)));
+        let galleries: Vec<_> = galleries.collect();
         found.extend(lift_doors(&galleries));
         found.extend(galleries.iter().flat_map(|(_, scene)| stairs(scene, galleries[0].1)));
         found
+    }
+
+    /// Violations within a region.
+    fn faults(&self, this: &Made) -> Vec<BuildingViolation> {
+        let broken = this.scene.validate().into_iter().map(|fault| BuildingViolation::Scene(this.region, fault));
+        broken.chain(self.misnumbered(this)).chain(self.outside(this)).collect()
     }
 
     fn made(&self, region: RegionId) -> Result<Made, BuildingError> {
