@@ -4,7 +4,7 @@ use vc_graph::Seed;
 use vc_graph::space::RegionFrame;
 
 use super::error::BuildingError;
-use super::measures::{BRIDGE, DECK, GAP, SLAB};
+use super::measures::{BRIDGE, DECK, GAP};
 use crate::apartment::Apartment;
 use crate::area::{Area, Facing};
 use crate::plan::{FloorPlan, OpeningKind, PlanOpening, Rect, RoomKind, metres};
@@ -13,8 +13,6 @@ use crate::specification::Specification;
 
 /// The homes that are drawn for a place before it is given up.
 const DRAWN: u64 = 32;
-/// The roof of a home, above its ceiling.
-const ROOF: f32 = 0.2;
 
 /// A home at its place beside a gallery.
 #[derive(Debug, Clone, PartialEq)]
@@ -27,8 +25,6 @@ pub(super) struct Place {
     pub(super) origin: (f32, f32),
     /// Its rooms with their outer walls, on the storey.
     pub(super) outline: Vec<Area>,
-    /// The lowest and the highest point, above the storey's floor.
-    pub(super) heights: (f32, f32),
     /// The bridge to its front door.
     pub(super) bridge: Area,
     /// The front door.
@@ -82,16 +78,11 @@ impl Place {
         let (x0, x1) = if east { (DECK.x1, outside.0) } else { (outside.0, DECK.x0) };
         let bridge = Area { x0, x1, y0: outside.1 - BRIDGE / 2.0, y1: outside.1 + BRIDGE / 2.0 };
         let outline: Vec<Area> = rects.iter().map(|area| area.moved(origin)).collect();
-        let door = FrontDoor {
-            at: middle,
-            out,
-            outside,
-            size: (metres(opening.width()), opening.head - opening.sill),
-            numbers: (number, opening.low.or(opening.high)? as u32),
-        };
-        let heights = (-SLAB, plan.ceiling + ROOF);
+        let size = (metres(opening.width()), opening.head - opening.sill);
+        let numbers = (number, opening.low.or(opening.high)? as u32);
+        let door = FrontDoor { at: middle, out, outside, size, numbers };
         let is_free = !outline.iter().any(|area| area.overlaps(&bridge));
-        is_free.then_some(Self { seed, turn, origin, outline, heights, bridge, door })
+        is_free.then_some(Self { seed, turn, origin, outline, bridge, door })
     }
 
     /// The frame of the home in that of the storey.

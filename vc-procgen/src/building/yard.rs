@@ -12,19 +12,22 @@ use crate::item::{Item, Support};
 const HEDGE: (f32, f32) = (0.5, 1.2);
 
 /// Things of the yard: class, X, Y, and how they are turned.
-const THINGS: [(&str, f32, f32, f32); 10] = [
-    ("garden_bench", -1.6, -3.0, 0.0),
+const THINGS: [(&str, f32, f32, f32); 9] = [
+    ("garden_bench", -1.6, -3.2, 0.0),
     ("garden_bench", 1.6, -5.5, PI),
-    ("fruit_tree", 2.4, -2.2, 0.0),
     ("planter", -1.6, -1.2, 0.0),
     ("planter", -1.6, -5.0, 0.0),
     ("rose_bush", -2.9, -6.4, 0.0),
     ("rose_bush", -2.9, -7.6, 0.0),
     ("bush", 2.6, -7.4, 0.0),
-    ("watering_can", -1.3, -6.2, 0.4),
+    ("watering_can", -1.3, -6.6, 0.4),
     ("garden_gnome", 1.5, -7.6, 2.4),
 ];
 
+/// The tree: its place, and its size at most, so that its crown touches neither homes nor gallery.
+const TREE: ([f32; 3], [f32; 3]) = ([2.3, -2.4, 0.0], [3.0, 3.0, 4.2]);
+
+/// The ground first, then all that stands on it.
 pub(super) fn items(maker: Maker<'_>) -> Vec<Item> {
     let (y, z) = ((YARD.y0, YARD.y1), (-SLAB, 0.0));
     let ground =
@@ -32,7 +35,8 @@ pub(super) fn items(maker: Maker<'_>) -> Vec<Item> {
     let things = THINGS.iter().zip(0..).filter_map(|(&(class, x, y, yaw), nth)| {
         Some(placed(maker.usual(class, nth)?, [x, y, 0.0], yaw, Support::Floor))
     });
-    solid("floor", &ground).into_iter().chain(hedges(maker)).chain(things).collect()
+    let tree = maker.sized("fruit_tree", TREE.1).map(|tree| placed(tree, TREE.0, 0.0, Support::Floor));
+    solid("floor", &ground).into_iter().chain(hedges(maker)).chain(things).chain(tree).collect()
 }
 
 /// Hedges along three sides, two each.

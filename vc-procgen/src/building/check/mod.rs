@@ -14,9 +14,8 @@ use overlap::{Made, overlaps};
 
 /// The greatest difference between two rises, and the greatest distance of what is to be in line, metres.
 const EVEN: f32 = 0.005;
-/// How far trims and ledges may stand out of a home, and crowns of trees out of the yard.
+/// How far trims and ledges may stand out of a home.
 const TRIM: f32 = 0.15;
-const CROWN: f32 = 1.5;
 
 impl Building {
     /// Lists every violation; a building that was generated has none. Makes all its scenes.
@@ -90,7 +89,7 @@ impl Building {
                 around(&[DECK, west, east, tower, shaft.grown(SHAFT_WALL)])
             }
             Part::Cabin => shaft.grown(CABIN_WALL),
-            Part::Yard => YARD.grown(CROWN),
+            Part::Yard => YARD,
         }
     }
 
