@@ -52,7 +52,7 @@ fn main() -> Result<(), Complaint> {
         let drawing = building.floor_plan(storey)?.to_png(PLAN)?;
         virtualcity::files::write(name(&format!("storey_{storey}")), drawing)?;
     }
-    let picture = outside(&whole(&building)?, options.from.to_radians())?;
+    let picture = outside(&whole(&building)?, options.from.to_radians(), options.storeys as f32)?;
     virtualcity::files::write(name("outside"), picture)?;
     say!("{} pictures in {}", options.storeys + 1, options.out.display());
     let violations = building.violations();
@@ -108,12 +108,12 @@ fn ground() -> Part {
     Part { name: "meadow".into(), shape: Shape::Box { half }, material: GRASS.0, pose, joint: None }
 }
 
-/// A picture of a scene from one side, from above its roofs.
-fn outside(scene: &SceneGraph, from: f32) -> Result<Vec<u8>, Complaint> {
+/// A picture of a building of some storeys from one side, from above its roofs.
+fn outside(scene: &SceneGraph, from: f32, storeys: f32) -> Result<Vec<u8>, Complaint> {
     let mut renderer = Renderer::new();
     let snapshot = renderer.snapshot(scene)?;
     let lighting = renderer.light(&snapshot, &Daylight::clear(0.8, -1.1));
-    let (distance, target) = (33.0, Point3::new(0.0, 1.0, 3.5));
+    let (distance, target) = (21.0 + 4.0 * storeys, Point3::new(0.0, 1.0, 1.2 * storeys));
     let eye = target + Vector3::new(distance * from.cos(), distance * from.sin(), 0.45 * distance);
     let camera = Camera::with_fov(PICTURE.0, PICTURE.1, 0.7).looking(eye, target);
     let mut frame = Frame::new();
