@@ -3,7 +3,8 @@
 use std::path::{Path, PathBuf};
 
 use vc_graph::format::program::{self, Program};
-use virtualcity::{ActionError, Environment};
+use vc_graph::{Action, ClassTable, NodeId};
+use virtualcity::{ActionError, Assets, Environment};
 
 use crate::support::{Complaint, say};
 
@@ -49,18 +50,24 @@ pub(crate) fn replay(files: &[PathBuf], scene: &Path) -> bool {
 
 /// The number of actions of a program, or the number before one was refused, and the reason.
 fn run(file: &Path, scene: &Path) -> Result<Result<usize, Stop>, Complaint> {
+    // The scene declares words of its own, which the program may use.
+    let scene = virtualcity::read_scene(scene, &ClassTable::builtin()).map_err(Complaint::new)?;
     let program = program::read(&virtualcity::read_text(file)?).map_err(Complaint::new)?;
-    let mut home =
-        Environment::make(&format!("scene:{}", scene.display()), characters(&program)).map_err(Complaint::new)?;
+    let home = Environment::builder_from_scene(scene).assets(Assets::Generated).agents(characters(&program));
+    let mut home = home.make().map_err(Complaint::new)?;
     let mut done = 0;
-    for event in program.cast(home.graph()).map_err(Complaint::new)?.into_iter().flatten() {
-        if let Err(error) = home.set_action(event.agent, event.action) {
+    for together in program.cast(home.graph()).map_err(Complaint::new)? {
+        let actions: Vec<(NodeId, Action)> = together.iter().map(|event| (event.agent, event.action)).collect();
+        for ((_, action), outcome) in actions.iter().zip(home.set_actions(&actions)) {
+            let Err(error) = outcome else {
+                done += 1;
+                continue;
+            };
             let disagreement = matches!(error, ActionError::Disagreement(_));
             let ended = if disagreement { "stopped" } else { "refused" };
-            let action = event.action.describe(home.graph());
+            let action = action.describe(home.graph());
             return Ok(Err(Stop { told: format!("{ended} after {done} actions: {action}: {error}"), disagreement }));
         }
-        done += 1;
     }
     Ok(Ok(done))
 }

@@ -5,6 +5,7 @@ use std::collections::VecDeque;
 use nalgebra::{Point2, Point3, UnitQuaternion, Vector3, distance};
 use vc_graph::clock::{Span, TICKS_PER_SECOND, Tick};
 use vc_graph::hash::Digester;
+use vc_graph::portable::Portable;
 use vc_graph::space::{Portal, PortalId, PortalKind, RegionId, Space};
 use vc_graph::{Action, ChangeSet, NodeId, Pose, Verb};
 
@@ -425,7 +426,7 @@ fn along(way: &[Point3<f32>], seconds: f32) -> Option<Pose> {
         let takes = between.norm() / if slope { STAIRS } else { LEVEL };
         if left < takes {
             let at = step[0] + between * (left / takes);
-            let heading = between.y.atan2(between.x);
+            let heading = between.y.angle_to(between.x);
             return Some(Pose::from_parts(
                 at.coords.into(),
                 UnitQuaternion::from_axis_angle(&Vector3::z_axis(), heading),
