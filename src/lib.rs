@@ -99,8 +99,8 @@ pub use check::{ContractViolation, Tally, check_environment, legal_action, rando
 #[cfg(feature = "environment")]
 pub use environment::{
     ActionError, AlterError, Assets, Attempt, Control, ControlledHand, Difference, Disagreement, Displaced, Ending,
-    Environment, EnvironmentBuilder, Interruption, MakeError, NoRoom, PhysicalRefusal, ResetError, ResetReport,
-    SaveError, Spot, SpotRefusal, Steering, Unplaced, UnplacedReason,
+    Environment, EnvironmentBuilder, EnvironmentState, Interruption, MakeError, NoRoom, PhysicalRefusal, ResetError,
+    ResetReport, SaveError, Spot, SpotRefusal, StateError, Steering, Unplaced, UnplacedReason,
 };
 #[cfg(all(feature = "environment", feature = "render"))]
 pub use environment::{
