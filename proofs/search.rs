@@ -18,8 +18,9 @@ use std::time::Instant;
 use virtualcity::graph::{NodeId, Seed};
 use virtualcity::{Environment, EnvironmentState, legal_action};
 
-/// Copies of which the mean memory is taken.
+/// Copies of which the mean memory is taken, and restored homes, which take less.
 const COPIES: usize = 100;
+const RESTORED: usize = 2000;
 
 /// A figure of the process's memory, bytes: `VmRSS` or `VmHWM`.
 fn memory(figure: &str) -> f64 {
@@ -55,6 +56,30 @@ struct Search {
     states: Vec<EnvironmentState>,
     refused: usize,
     failed: usize,
+    /// How often homes were restored and woken, actions done and states saved, and the seconds that it took.
+    woken: Spent,
+    done: Spent,
+    saved: Spent,
+}
+
+/// How often something was done, and the seconds that it took.
+#[derive(Default)]
+struct Spent {
+    times: usize,
+    seconds: f64,
+}
+
+impl Spent {
+    fn on<T>(&mut self, what: impl FnOnce() -> T) -> T {
+        let begin = Instant::now();
+        let made = what();
+        (self.times, self.seconds) = (self.times + 1, self.seconds + begin.elapsed().as_secs_f64());
+        made
+    }
+
+    fn milliseconds(&self) -> f64 {
+        self.seconds * 1e3 / self.times as f64
+    }
 }
 
 fn search(home: &mut Environment, me: NodeId, most: usize) -> Search {
@@ -62,16 +87,20 @@ fn search(home: &mut Environment, me: NodeId, most: usize) -> Search {
     found.states.push(home.save_state().unwrap());
     let mut next = 0;
     while next < found.states.len() && found.states.len() < most {
-        let parent = home.restore_state(&found.states[next]).unwrap();
+        let parent = found.woken.on(|| {
+            let parent = home.restore_state(&found.states[next]).unwrap();
+            parent.world();
+            parent
+        });
         next += 1;
         for action in parent.legal_actions(me) {
             let mut child = parent.clone();
             if found.states.len() == most {
                 break;
-            } else if child.set_action(me, action).is_err() {
+            } else if found.done.on(|| child.set_action(me, action)).is_err() {
                 found.failed += 1;
             } else if seen.insert(child.graph().digest()) {
-                match child.save_state() {
+                match found.saved.on(|| child.save_state()) {
                     Ok(state) => found.states.push(state),
                     Err(why) => {
                         found.refused += 1;
@@ -92,9 +121,9 @@ fn main() {
     };
     let mut home = Environment::make(&format!("apartment/{seed}"), 1).unwrap();
     let (me, nodes) = (home.agents()[0], home.graph().len());
-    drop(acted(&home, me, COPIES));
-    let (state, kept) = weighed(COPIES, |seed| acted(&home, me, seed).save_state().unwrap());
-    let (light, restored) = weighed(COPIES, |at| home.restore_state(&kept[at]).unwrap());
+    let kept: Vec<_> = (0..COPIES).map(|seed| acted(&home, me, seed).save_state().unwrap()).collect();
+    let (light, restored) = weighed(RESTORED, |at| home.restore_state(&kept[at % COPIES]).unwrap());
+    drop(restored);
     let (fixed, begin) = (memory("VmRSS") / 1e6, Instant::now());
     let found = search(&mut home, me, states);
     let (seconds, peak) = (begin.elapsed().as_secs_f64(), memory("VmHWM") / 1e6);
@@ -103,14 +132,17 @@ fn main() {
     let bytes: Vec<usize> = found.states.iter().map(EnvironmentState::bytes).collect();
     let number = bytes.len();
     println!(
-        "home {seed} of {nodes} nodes: a copy {copy:.0} kB, one that acted {heavy:.0} kB, its state {state:.1} kB, \
-         restored from it {light:.0} kB; {number} states ({} not saved, {} actions failed), {:.1} kB each, {:.1} at most, \
-         {:.0} states per second, {fixed:.0} MB before, peak {peak:.0} MB",
+        "home {seed} of {nodes} nodes: a copy {copy:.0} kB, one that acted {heavy:.0} kB, one restored from a state \
+         {light:.0} kB; {number} states ({} not saved, {} actions failed), {:.1} kB each, {:.1} at most, {:.0} states per \
+         second: {:.1} ms to wake, {:.1} to act, {:.1} to save; {fixed:.0} MB before, peak {peak:.0} MB",
         found.refused,
         found.failed,
         bytes.iter().sum::<usize>() as f64 / number as f64 / 1e3,
         bytes.iter().max().copied().unwrap_or(0) as f64 / 1e3,
         number as f64 / seconds,
+        found.woken.milliseconds(),
+        found.done.milliseconds(),
+        found.saved.milliseconds(),
     );
-    drop((restored, copies, all));
+    drop((copies, all));
 }

@@ -105,6 +105,14 @@ impl Environment {
         if let Some(state) = self.unchanged_state() {
             return Ok(state);
         }
+        let mut next = self.clone();
+        let state = next.rest_as_saved()?;
+        *self = next;
+        Ok(state)
+    }
+
+    /// Becomes the environment of its own state, and returns that.
+    fn rest_as_saved(&mut self) -> Result<EnvironmentState, StateError> {
         self.refuse_in_motion()?;
         self.read_moved()?;
         let named = |error: RestError| error.named(&|id| self.graph.label(id));
