@@ -86,10 +86,23 @@ impl Clock {
         self.read.as_ref().unwrap_or(graph)
     }
 
-    /// About how many bytes it takes beside itself while nobody acts.
+    /// The clock with other changes of the graph since the last action.
+    pub(super) fn with_journal(&self, journal: ChangeSet) -> Self {
+        Self { journal, ..self.without_journal() }
+    }
+
+    /// The clock without the changes of the graph since the last action, while nobody acts.
+    pub(super) fn without_journal(&self) -> Self {
+        let mut clock = Self { journal: ChangeSet::default(), ..self.clone() };
+        clock.changed.shrink_to_fit();
+        clock.touched.shrink_to_fit();
+        clock
+    }
+
+    /// About how many bytes it takes beside itself and its journal while nobody acts.
     pub(super) fn bytes(&self) -> usize {
         let nodes = self.changed.len() + self.touched.len();
-        size_of_val(self.journal.changes()) + nodes * size_of::<NodeId>() + self.processes.processes().count() * PROCESS
+        nodes * size_of::<NodeId>() + self.processes.processes().count() * PROCESS
     }
 
     /// The graph is about to change otherwise than by what relations read; a saved home goes on from what they have read.

@@ -17,7 +17,7 @@ use super::{Environment, Start, observe};
 pub use error::StateError;
 pub(super) use past::Past;
 use past::SavedPast;
-use scene::SceneDifference;
+use scene::{PackedChanges, SceneDifference};
 pub(super) use waking::Waking;
 use waking::{Sleeper, read};
 
@@ -34,7 +34,9 @@ struct Saved {
     scene: SceneDifference,
     record: RestRecord,
     past: Option<Arc<SavedPast>>,
+    /// Without its journal, which is packed.
     clock: Clock,
+    journal: PackedChanges,
     poses: BTreeMap<NodeId, Activity>,
     #[cfg(feature = "render")]
     picture_cache: Arc<super::pictures::PictureCache>,
@@ -49,7 +51,13 @@ impl EnvironmentState {
         let saved = &*self.0;
         let poses = saved.poses.len() * size_of::<(NodeId, Activity)>();
         let past = saved.past.as_ref().map_or(0, |past| past.bytes());
-        size_of::<Saved>() + saved.scene.bytes() + saved.record.bytes() + saved.clock.bytes() + poses + past
+        size_of::<Saved>()
+            + saved.scene.bytes()
+            + saved.record.bytes()
+            + saved.clock.bytes()
+            + saved.journal.bytes()
+            + poses
+            + past
     }
 }
 
@@ -128,7 +136,8 @@ impl Environment {
             scene: SceneDifference::between(&self.start.graph, &self.graph),
             record,
             past: self.past.save(),
-            clock: self.clock.clone(),
+            clock: self.clock.without_journal(),
+            journal: PackedChanges::new(self.changes()),
             poses: self.poses.clone(),
             #[cfg(feature = "render")]
             picture_cache: self.picture_cache.clone(),
@@ -174,7 +183,7 @@ impl Environment {
             relations: Waking::Asleep(sleeper.clone()),
             floor: Waking::Asleep(sleeper),
             past: Past::restored(saved.past.clone()),
-            clock: saved.clock.clone(),
+            clock: saved.clock.with_journal(saved.journal.unpacked()),
             poses: saved.poses.clone(),
             #[cfg(feature = "render")]
             picture_cache: saved.picture_cache.clone(),
