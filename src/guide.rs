@@ -297,6 +297,41 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
+//! A copy in which somebody has acted takes megabytes. A search that keeps many keeps their
+//! [states](crate::EnvironmentState) instead, some kilobytes each; bodies are built anew where somebody acts, and evolve
+//! alike, bit for bit, in the home that was saved and in all that are restored. This one is breadth first.
+//!
+//! ```
+//! use std::collections::{HashSet, VecDeque};
+//! use virtualcity::Environment;
+//! use virtualcity::graph::Verb;
+//! use virtualcity::tasks::Task;
+//!
+//! let mut home = Environment::make("apartment/42", 1)?;
+//! let (me, fridge) = (home.agents()[0], home.graph().of_class("fridge")[0]);
+//! let task = Task::new("milk", "Open(fridge)".parse()?);
+//! let mut open = VecDeque::from([home.save_state()?]);
+//! let mut seen = HashSet::from([home.graph().digest()]);
+//! let won = 'search: loop {
+//!     let state = open.pop_front().ok_or("no way")?;
+//!     let parent = home.restore_state(&state)?;
+//!     let about = |verb| matches!(verb, Verb::Walk | Verb::Open | Verb::SwitchOn);
+//!     for action in parent.legal_actions(me).into_iter().filter(|a| about(a.verb) && a.object == Some(fridge)) {
+//!         let mut child = parent.clone();
+//!         if child.set_action(me, action).is_err() || !seen.insert(child.graph().digest()) {
+//!             continue;
+//!         }
+//!         if task.score(&child, me) == 1.0 {
+//!             break 'search child;
+//!         }
+//!         open.push_back(child.save_state()?);
+//!     }
+//! };
+//! let verbs: Vec<Verb> = won.history().events().iter().map(|event| event.action.verb).collect();
+//! assert_eq!(verbs, [Verb::Walk, Verb::Open]);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
 //! # Placing things and agents
 //!
 //! ```

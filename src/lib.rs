@@ -103,8 +103,8 @@ pub use city::{City, CityBuilder, CityEnding, CityError, LiftState, RegionScenes
 #[cfg(feature = "environment")]
 pub use environment::{
     ActionError, AlterError, Assets, Attempt, Control, ControlledHand, Difference, Disagreement, Displaced, Ending,
-    Environment, EnvironmentBuilder, Interruption, MakeError, NoRoom, PhysicalRefusal, ResetError, ResetReport,
-    SaveError, Spot, SpotRefusal, Steering, TravelError, Unplaced, UnplacedReason,
+    Environment, EnvironmentBuilder, EnvironmentState, Interruption, MakeError, NoRoom, PhysicalRefusal, ResetError,
+    ResetReport, SaveError, Spot, SpotRefusal, StateError, Steering, TravelError, Unplaced, UnplacedReason,
 };
 #[cfg(all(feature = "environment", feature = "render"))]
 pub use environment::{

@@ -357,11 +357,7 @@ impl Environment {
 
     /// Refuses while agents act or are under control: bodies come to rest here without the clock.
     fn refuse_while_busy(&mut self) -> Result<(), AlterError> {
-        if self.clock.controls.all.is_empty() {
-            // Hands whose control has ended do not wait for the next tick.
-            self.apply_controls();
-        }
-        let busy = self.busy();
+        let busy = self.busy_now();
         if busy.is_empty() { Ok(()) } else { Err(AlterError::Busy(busy)) }
     }
 

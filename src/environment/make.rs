@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use nalgebra::Point2;
 use vc_geometry::WallOpening;
-use vc_graph::{AssetId, Draft, History, Node, NodeId, NodeKind, ObjectRole, Pose, SceneBuilder, SceneGraph};
+use vc_graph::{AssetId, Draft, Node, NodeId, NodeKind, ObjectRole, Pose, SceneBuilder, SceneGraph};
 use vc_physics::{BodyPlan, Floor, FloorOptions, PhysicsWorld, ShapeCache};
 use vc_relations::Relations;
 
@@ -13,8 +13,8 @@ use super::clock::Clock;
 use super::reset::undress;
 use super::settle::come_to_rest;
 use super::{
-    Assets, Displaced, Environment, EnvironmentSettings, MakeError, Start, Unplaced, astray, boxes, observe, scene,
-    seats,
+    Assets, Displaced, Environment, EnvironmentSettings, MakeError, Past, Start, Unplaced, astray, boxes, observe,
+    scene, seats,
 };
 
 /// How often relations are read at most, until the rooms of floors no longer change.
@@ -197,10 +197,10 @@ impl Environment {
     fn at(start: Arc<Start>) -> Self {
         Self {
             graph: start.graph.clone(),
-            world: start.world.clone(),
-            relations: start.relations.clone(),
-            floor: start.floor.clone(),
-            history: History::default(),
+            world: start.world.clone().into(),
+            relations: start.relations.clone().into(),
+            floor: start.floor.clone().into(),
+            past: Past::default(),
             clock: Clock::at(&start.world),
             poses: BTreeMap::new(),
             #[cfg(feature = "render")]

@@ -28,6 +28,7 @@ mod seats;
 mod sensing;
 mod settle;
 mod stale;
+mod state;
 mod steer;
 mod survey;
 #[cfg(feature = "render")]
@@ -64,6 +65,8 @@ pub use reset::{Displaced, ResetReport, Unplaced, UnplacedReason};
 pub use scene::Assets;
 #[cfg(feature = "render")]
 pub use sensing::{LidarScan, Reading, Sensor, SensorError, SensorId, SensorView};
+pub use state::{EnvironmentState, StateError};
+use state::{Past, Waking};
 pub use steer::Steering;
 pub(crate) use travel::Departure;
 pub use travel::TravelError;
@@ -112,10 +115,10 @@ const WAIST: f32 = 0.9;
 pub struct Environment {
     start: Arc<Start>,
     graph: SceneGraph,
-    world: PhysicsWorld,
-    relations: Relations,
-    floor: Floor,
-    history: History,
+    world: Waking<PhysicsWorld>,
+    relations: Waking<Relations>,
+    floor: Waking<Floor>,
+    past: Past,
     clock: clock::Clock,
     /// The activities in which bodies are shown while an action takes its time.
     poses: std::collections::BTreeMap<NodeId, vc_people::Activity>,
@@ -180,7 +183,7 @@ impl Environment {
 
     /// The actions done since the last reset.
     pub fn history(&self) -> &History {
-        &self.history
+        self.past.history()
     }
 
     /// The scene as it was made, at rest: what [`reset`](Self::reset) goes back to.
@@ -232,7 +235,7 @@ impl Environment {
     pub fn digest(&self) -> Digest {
         let mut hash = Digester::new();
         hash.words([self.graph.digest().0, self.world.digest().0]);
-        for event in self.history.events() {
+        for event in self.history().events() {
             hash.word(u64::from(event.agent.0)).words(event.action.to_string().bytes().map(u64::from));
         }
         self.digest_clock(&mut hash);

@@ -3,13 +3,13 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use nalgebra::Point3;
-use vc_graph::{EditError, History, Label, Node, NodeId, NodeKind, Place, Pose, Property, Relation, SceneGraph, State};
+use vc_graph::{EditError, Label, Node, NodeId, NodeKind, Place, Pose, Property, Relation, SceneGraph, State};
 use vc_physics::{BodyRole, Floor, PhysicsError, PhysicsWorld, SpotOrder, SpotSearch};
 use vc_relations::Relations;
 
 use super::clock::Clock;
 use super::settle::come_to_rest;
-use super::{Environment, ResetError, astray, boxes, observe, scene, seats, stale};
+use super::{Environment, Past, ResetError, astray, boxes, observe, scene, seats, stale};
 
 /// How far below a thing its support may be, metres.
 const HOVER: f32 = 0.02;
@@ -164,7 +164,7 @@ impl Environment {
             return Ok(ResetReport::default());
         }
         if *graph == self.graph && self.world.awake() == 0 && self.clock.controls.is_empty() {
-            (self.history, self.poses) = (History::default(), BTreeMap::new());
+            (self.past, self.poses) = (Past::default(), BTreeMap::new());
             self.clock = Clock::at(&self.world);
             return Ok(Plan::of(&[&self.start.graph], graph).report(&self.start.graph, graph, graph));
         }
@@ -203,8 +203,9 @@ impl Environment {
         let relations = self.observed(&mut wanted, &world, new_shapes)?;
         floor.update(&world);
         let report = plan.report(&start.graph, graph, &wanted);
-        (self.graph, self.world, self.relations, self.floor) = (wanted, world, relations, floor);
-        (self.history, self.clock) = (History::default(), Clock::at(&self.world));
+        (self.graph, self.world) = (wanted, world.into());
+        (self.relations, self.floor) = (relations.into(), floor.into());
+        (self.past, self.clock) = (Past::default(), Clock::at(&self.world));
         self.poses = BTreeMap::new();
         #[cfg(feature = "render")]
         if new_shapes || !report.added.is_empty() || !report.removed.is_empty() {
@@ -251,9 +252,9 @@ impl Environment {
         if !self.has_first_shapes() {
             self.look_anew();
         }
-        (self.graph, self.world) = (start.graph.clone(), start.world.clone());
-        (self.relations, self.floor) = (start.relations.clone(), start.floor.clone());
-        (self.history, self.poses) = (History::default(), BTreeMap::new());
+        (self.graph, self.world) = (start.graph.clone(), start.world.clone().into());
+        (self.relations, self.floor) = (start.relations.clone().into(), start.floor.clone().into());
+        (self.past, self.poses) = (Past::default(), BTreeMap::new());
         self.clock = Clock::at(&self.world);
     }
 

@@ -5,10 +5,10 @@ use std::sync::Arc;
 
 use vc_graph::format::native;
 use vc_graph::hash::Digester;
-use vc_graph::{AssetLibrary, Digest, Event, History, NodeId, SceneBuilder, SceneGraph};
+use vc_graph::{AssetLibrary, Digest, Event, NodeId, SceneBuilder, SceneGraph};
 use vc_physics::PhysicsWorld;
 
-use super::{Environment, SaveError};
+use super::{Environment, Past, SaveError};
 
 /// The bytes with which saved environments begin.
 const MAGIC: &[u8; 8] = b"VCENV 5\n";
@@ -26,7 +26,7 @@ impl Environment {
             unread => return Err(SaveError::Unread(unread)),
         }
         let line = |e: &Event| format!("{} {}\n", e.agent.0, e.action);
-        let history: String = self.history.events().iter().map(line).collect();
+        let history: String = self.history().events().iter().map(line).collect();
         let (shapes, scene, world) = (self.own_shapes(), without_shapes(&self.graph), self.world.save()?);
         let (clock, cameras) = (self.saved_clock()?, self.saved_cameras().unwrap_or_default());
         let mut content = self.start.graph.digest().0.to_le_bytes().to_vec();
@@ -73,14 +73,15 @@ impl Environment {
         let relations = self.start.relations.clone();
         let mut floor = self.start.floor.clone();
         floor.update(&world);
-        let mut copy = Self { graph, world, relations, floor, history: History::default(), ..self.clone() };
+        let (world, relations, floor) = (world.into(), relations.into(), floor.into());
+        let mut copy = Self { graph, world, relations, floor, past: Past::default(), ..self.clone() };
         copy.poses = BTreeMap::new();
         copy.restore_clock(text(clock)?)?;
         copy.restore_cameras(Some(text(cameras)?).filter(|text| !text.is_empty()))?;
         for line in text(history)?.lines() {
             let (agent, action) = line.split_once(' ').ok_or(SaveError::NotSaved)?;
             let agent = NodeId(agent.parse().map_err(|_| SaveError::NotSaved)?);
-            copy.history.push(Event { agent, action: action.parse()? });
+            copy.past.push(Event { agent, action: action.parse()? });
         }
         Ok(copy)
     }

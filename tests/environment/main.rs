@@ -23,6 +23,7 @@ mod own_words;
 mod pictures;
 mod record;
 mod single_actions;
+mod states;
 mod stays;
 mod teams;
 mod windows;

@@ -81,6 +81,22 @@ pub enum RestError<N = NodeId> {
     Restless(Vec<N>),
 }
 
+impl<N> RestError<N> {
+    /// The same error with other names for nodes; see [`PhysicsError::named`].
+    pub fn named<M>(self, name: &impl Fn(N) -> M) -> RestError<M> {
+        use RestError as E;
+        let names = |all: Vec<N>| all.into_iter().map(name).collect();
+        match self {
+            E::Moves(all) => E::Moves(names(all)),
+            E::Guided(id) => E::Guided(name(id)),
+            E::Vehicle(id) => E::Vehicle(name(id)),
+            E::Stopped(id) => E::Stopped(name(id)),
+            E::OtherWorld => E::OtherWorld,
+            E::Restless(all) => E::Restless(names(all)),
+        }
+    }
+}
+
 fn moves<N: std::fmt::Display>(nodes: &[N]) -> String {
     let names: Vec<String> = nodes.iter().map(N::to_string).collect();
     match names.len() {

@@ -28,11 +28,14 @@ use vc_graph::{Action, ChangeSet, Event, Label, NodeId, SceneGraph};
 use vc_physics::{PhysicsWorld, RestProgress};
 
 use super::control::Controls;
-use super::{ActionError, Environment, PhysicalRefusal};
+use super::{ActionError, Environment, EnvironmentState, PhysicalRefusal};
 
 pub use ending::{Ending, Interruption};
 pub(super) use processes::TimeSettings;
 use schedule::Schedule;
+
+/// Bytes of a process that goes on.
+const PROCESS: usize = 64;
 
 /// The schedules of all agents, and the changes that are not read yet.
 #[derive(Clone, Default)]
@@ -76,6 +79,30 @@ impl Clock {
     /// Something has changed the scene, and relations have read it: other processes may go on.
     pub(super) fn scene_changed(&mut self) {
         (self.noticed, self.read) = (false, None);
+    }
+
+    /// The scene as relations have read it, of an environment whose scene is given.
+    pub(super) fn as_read<'a>(&'a self, graph: &'a SceneGraph) -> &'a SceneGraph {
+        self.read.as_ref().unwrap_or(graph)
+    }
+
+    /// The clock with other changes of the graph since the last action.
+    pub(super) fn with_journal(&self, journal: ChangeSet) -> Self {
+        Self { journal, ..self.without_journal() }
+    }
+
+    /// The clock without the changes of the graph since the last action, while nobody acts.
+    pub(super) fn without_journal(&self) -> Self {
+        let mut clock = Self { journal: ChangeSet::default(), ..self.clone() };
+        clock.changed.shrink_to_fit();
+        clock.touched.shrink_to_fit();
+        clock
+    }
+
+    /// About how many bytes it takes beside itself and its journal while nobody acts.
+    pub(super) fn bytes(&self) -> usize {
+        let nodes = self.changed.len() + self.touched.len();
+        nodes * size_of::<NodeId>() + self.processes.processes().count() * PROCESS
     }
 
     /// The graph is about to change otherwise than by what relations read; a saved home goes on from what they have read.
@@ -146,14 +173,18 @@ impl Environment {
         while self.tick() < end {
             match self.next_live().filter(|tick| *tick < end) {
                 Some(tick) => {
-                    self.world.pass((tick - self.tick()).0);
+                    self.pass_until(tick);
                     self.live();
                 }
-                None => {
-                    self.world.pass((end - self.tick()).0);
-                }
+                None => self.pass_until(end),
             }
         }
+    }
+
+    /// Lets time pass in which nothing moves.
+    fn pass_until(&mut self, tick: Tick) {
+        let left = tick - self.tick();
+        self.world.pass(left.0);
     }
 
     /// Lets a tick pass in which something moves; returns the changes that were noted before.
@@ -189,7 +220,8 @@ impl Environment {
 
     /// The tick: the time that has passed since the environment was made, in sixtieths of a second.
     pub fn tick(&self) -> Tick {
-        Tick(self.world.ticks() - self.clock.zero)
+        let now = self.world.asleep().map_or_else(|| self.world.ticks(), EnvironmentState::ticks);
+        Tick(now - self.clock.zero)
     }
 
     /// The action that an agent is doing or is about to begin.
@@ -224,6 +256,14 @@ impl Environment {
         let is_free = |agent: &NodeId| self.current_action(*agent).is_none() && self.controlled(*agent).is_none();
         let busy = self.agents().iter().filter(|agent| !is_free(agent));
         busy.map(|agent| self.graph.label(*agent)).collect()
+    }
+
+    /// As [`busy`](Self::busy), after hands whose control has ended have come back: they do not wait for the next tick.
+    pub(super) fn busy_now(&mut self) -> Vec<Label> {
+        if self.clock.controls.all.is_empty() {
+            self.apply_controls();
+        }
+        self.busy()
     }
 
     /// The number of endings that no step has returned yet.
@@ -306,7 +346,7 @@ impl Environment {
 
     fn end(&mut self, agent: NodeId, action: Action, outcome: Result<(), ActionError>) {
         let outcome = outcome.map(|()| {
-            self.history.push(Event { agent, action });
+            self.past.push(Event { agent, action });
             std::mem::take(&mut self.clock.journal)
         });
         self.clock.endings.push(Ending { tick: self.tick(), agent, action, outcome });

@@ -3,8 +3,6 @@
 //! An engine is megabytes, most of it contacts that can be found again. A world that is recorded is built anew from its
 //! record, and whoever builds another from the same record gets the same world, bit for bit: *rest is a rebuild*.
 
-use std::collections::BTreeMap;
-
 use rapier3d::math::Pose as EnginePose;
 use vc_graph::NodeId;
 
@@ -22,7 +20,7 @@ pub struct RestRecord {
     /// Sorted by node.
     things: Vec<RecordedThing>,
     removed: Vec<NodeId>,
-    agents: BTreeMap<NodeId, Agent>,
+    agents: Box<[(NodeId, Agent)]>,
     waters: Waters,
     ticks: u64,
     stopped: Vec<NodeId>,
@@ -41,12 +39,33 @@ impl RecordedThing {
     pub(crate) fn shifted(&self, motion: &EnginePose) -> Self {
         Self { thing: self.thing.clone(), poses: self.poses.iter().map(|pose| *motion * *pose).collect() }
     }
+
+    fn bytes(&self) -> usize {
+        size_of::<Self>() + size_of_val(&*self.thing.state.moving) + size_of_val(&*self.poses)
+    }
 }
 
 impl RestRecord {
     /// The nodes that differ from the start, by number: moved, turned, taken, or new.
     pub fn things(&self) -> impl Iterator<Item = NodeId> + '_ {
         self.things.iter().map(|recorded| recorded.thing.id)
+    }
+
+    /// The [steps](PhysicsWorld::ticks) that the world had made.
+    pub fn ticks(&self) -> u64 {
+        self.ticks
+    }
+
+    /// About how many bytes it takes beside itself.
+    pub fn bytes(&self) -> usize {
+        let nodes = self.removed.len() + self.stopped.len() + self.skipped.len();
+        let loads = self.agents.iter().flat_map(|(_, agent)| agent.hands.iter().flatten().map(|held| &held.load));
+        self.things.iter().map(RecordedThing::bytes).sum::<usize>()
+            + nodes * size_of::<NodeId>()
+            + size_of_val(&*self.agents)
+            + loads.map(|load| size_of_val(&**load)).sum::<usize>()
+            + size_of_val(&*self.waters.all)
+            + self.waters.levels.len() * size_of::<(NodeId, f32)>()
     }
 }
 
@@ -170,7 +189,7 @@ impl PhysicsWorld {
         RestRecord {
             things,
             removed: start.things.iter().filter(gone).map(|thing| thing.id).collect(),
-            agents: self.agents.clone(),
+            agents: self.agents.iter().map(|(id, agent)| (*id, agent.clone())).collect(),
             waters: self.waters.clone(),
             ticks: self.ticks,
             stopped: self.stopped.clone(),
