@@ -5,6 +5,7 @@ mod bounds;
 mod formats;
 mod junctions;
 mod lines;
+mod opendrive;
 mod osm;
 mod pictures;
 mod readers;
