@@ -277,6 +277,7 @@ impl<'a> Network<'a> {
             && (alike.structure == same.structure || alike.class >= RoadClass::Path)
             && alike.name == same.name
             && alike.roundabout == same.roundabout
+            && alike.slip == same.slip
             && alike.private == same.private;
         let (before, after) = match (a.last() == node, b.first() == node) {
             (true, true) => (a, b),

@@ -14,6 +14,7 @@ pub(super) struct Street {
     pub(super) layer: i8,
     pub(super) structure: Structure,
     pub(super) roundabout: bool,
+    pub(super) slip: bool,
     pub(super) private: bool,
     /// Whether its nodes are in the order against its direction.
     pub(super) reversed: bool,
@@ -169,6 +170,7 @@ pub(super) fn street(
         layer: layer(tags),
         structure: structure(tags),
         roundabout,
+        slip,
         private: tags.is("access", "private|customers|delivery|permit")
             || tags.is("motor_vehicle", "private|destination"),
         reversed: tags.is("oneway", "-1|reverse"),
