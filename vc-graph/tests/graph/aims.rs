@@ -179,7 +179,7 @@ fn bad_aims_are_told() {
     assert!(matches!(bad("turn_to yaw nan"), AimError::OutOfRange(_)));
     assert!(matches!(bad("walk at 1 2 at 3 4"), AimError::Again(_)));
     assert!(matches!(bad("sit sofa.1 seat 1 by left"), AimError::Again(_)));
-    assert!(matches!(bad("sit sofa.1 seat -1"), AimError::Number(_)));
+    assert!(matches!(bad("sit sofa.1 seat -1"), AimError::Whole(_)));
     assert!(matches!(bad("grab cup.1 by handle"), AimError::Side(_)));
     assert!(matches!(bad("place cup.1 table.2 at 1 2 3 4"), AimError::Unexpected(_)));
     assert!(matches!(bad("walk at 1 2 table.2"), AimError::Number(_)));
