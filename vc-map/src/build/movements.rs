@@ -1,6 +1,6 @@
 //! Movements: which lane goes on with which, by the marks on the lanes or by rule.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use crate::parts::{Arm, Junction, Lane, Movement, Road, Turn};
 use crate::polyline::turn;
@@ -20,8 +20,11 @@ pub(super) fn movements(
     roads: &[Road],
     lanes: &mut [Lane],
 ) -> Vec<Movement> {
-    let bans: BTreeSet<(RoadId, JunctionId, RoadId)> =
-        draft.bans.iter().map(|ban| (ban.from, ban.at, ban.to)).collect();
+    let mut bans: Bans = BTreeMap::new();
+    for ban in &draft.bans {
+        let users = bans.entry((ban.from, ban.at, ban.to)).or_default();
+        *users = *users | ban.users;
+    }
     let mut all = Vec::new();
     for (index, junction) in junctions.iter_mut().enumerate() {
         let at = Crossroads { id: JunctionId::of(index), junction, roads, lanes, bans: &bans, side: draft.side };
@@ -37,12 +40,15 @@ pub(super) fn movements(
     all
 }
 
+/// Those who may not turn, by the road that they come from, the junction and the road that they may not go on with.
+type Bans = BTreeMap<(RoadId, JunctionId, RoadId), Users>;
+
 struct Crossroads<'a> {
     id: JunctionId,
     junction: &'a Junction,
     roads: &'a [Road],
     lanes: &'a [Lane],
-    bans: &'a BTreeSet<(RoadId, JunctionId, RoadId)>,
+    bans: &'a Bans,
     side: DrivingSide,
 }
 
@@ -96,8 +102,13 @@ impl Crossroads<'_> {
             let at = one.line.end();
             crate::Polyline::new([at, at + one.line.direction(end) * 0.01])
         })?;
-        let users = one.users.and(other.users).and(open);
+        let users = one.users.and(other.users).and(open).without(self.banned(one.road, other.road));
         Some(Movement { junction: self.id, from, to, turn: direction, line, users, yields: Vec::new() })
+    }
+
+    /// Those who may not go from a road to another.
+    fn banned(&self, from: RoadId, to: RoadId) -> Users {
+        self.bans.get(&(from, self.id, to)).copied().unwrap_or_default()
     }
 
     /// The lanes of an arm for some users, from the divider outward: those that come in, or those that go out.
@@ -128,8 +139,8 @@ impl Crossroads<'_> {
         let alone = self.is_dead_end(from);
         let mut targets: Vec<Target> = (0..arms.len())
             .filter_map(|arm| {
-                let banned = self.bans.contains(&(arms[from].road, self.id, arms[arm].road));
-                if banned || (arm == from && !alone) {
+                let banned = self.banned(arms[from].road, arms[arm].road);
+                if banned.has(Users::TRAFFIC) || (arm == from && !alone) {
                     return None;
                 }
                 let (cosine, sine) = (came.dot(&arms[arm].away), came.perp(&arms[arm].away));
@@ -180,6 +191,7 @@ impl Crossroads<'_> {
             .iter()
             .map(|target| (target, self.ways(&self.junction.arms[target.arm], false, users)))
             .filter(|(target, out)| !out.is_empty() && self.bends(from, target, users))
+            .filter(|(target, _)| !self.banned(self.road(from), self.road(target.arm)).any(users))
             .collect();
         if incoming.is_empty() || open.is_empty() {
             return Vec::new();
@@ -203,6 +215,10 @@ impl Crossroads<'_> {
             }
         }
         pairs
+    }
+
+    fn road(&self, arm: usize) -> RoadId {
+        self.junction.arms[arm].road
     }
 
     /// Whether rails can bend that much; vehicles on tyres always can.

@@ -1,10 +1,14 @@
 //! Tests of vc-map through its public API.
 #![allow(clippy::unwrap_used, reason = "tests may unwrap")]
 
+mod account;
 mod formats;
+mod hostile;
 mod junctions;
 mod lines;
+mod memory;
 mod osm;
+mod pbf;
 mod pictures;
 mod readers;
 mod real;
