@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::{Turns, Users};
 
-/// The class of a road; dimensions by class follow the project's note on places (B1).
+/// The class of a road. Where a file has no lanes, widths or limits, they follow from it: see [`osm`](crate::osm).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 #[non_exhaustive]

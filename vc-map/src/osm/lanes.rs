@@ -105,7 +105,8 @@ impl<'a> LaneTags<'a> {
         self.tags.is("busway", "opposite_lane") || free
     }
 
-    /// The width of each of some lanes, metres.
+    /// The width of each of some lanes, metres. Where it is not mapped, it is that of streets in towns: 2.75 m suffice at 30 km/h,
+    /// 3.5 m are usual from 70 km/h on.
     fn width(&self, count: &Count, report: &mut ImportReport) -> f64 {
         let lanes = count.sides[0] + count.sides[1] + count.middle;
         let usual = match self.class {

@@ -2,9 +2,11 @@
 #![allow(clippy::unwrap_used, reason = "tests may unwrap")]
 
 mod account;
+mod control;
 mod formats;
 mod hostile;
 mod junctions;
+mod lanes;
 mod lines;
 mod memory;
 mod osm;
@@ -14,3 +16,4 @@ mod readers;
 mod real;
 mod routes;
 mod town;
+mod world;

@@ -2,8 +2,8 @@
 
 use std::fmt::Write;
 
-use vc_map::osm::{Element, Guessed, ImportOptions, OsmData, OsmError, Reason};
-use vc_map::{Control, CrossingKind, DrivingSide, RoadClass, StripKind, Users};
+use vc_map::osm::{Element, Guessed, ImportOptions, ImportReport, OsmData, OsmError, Reason};
+use vc_map::{Control, CrossingKind, DrivingSide, RoadClass, StreetMap, StripKind, Users};
 
 use crate::town::import;
 
@@ -30,6 +30,11 @@ pub(crate) fn file(nodes: &[(i64, f64, f64, &str)], ways: &[(i64, &[i64], &str)]
 /// A crossroads at node 1 with arms to nodes 2 to 5.
 pub(crate) const CROSS: [(i64, f64, f64, &str); 5] =
     [(1, 0.0, 0.0, ""), (2, 1.0, 0.0, ""), (3, 0.0, 1.0, ""), (4, -1.0, 0.0, ""), (5, 0.0, -1.0, "")];
+
+/// A street of 100 m with these tags.
+pub(crate) fn street(tags: &str) -> (StreetMap, ImportReport) {
+    import(&file(&[(1, 0.0, 0.0, ""), (2, 1.0, 0.0, "")], &[(9, &[1, 2], tags)], ""))
+}
 
 #[test]
 fn lanes_limits_and_one_way_streets_in_both_directions() {

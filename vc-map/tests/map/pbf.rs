@@ -4,6 +4,9 @@ use proptest::prelude::*;
 use vc_map::osm::{ImportOptions, OsmData};
 use vc_testkit::cases;
 
+use crate::hostile::bound;
+use crate::memory::most;
+
 /// Whole numbers of variable length and fields of protocol buffers, as PBF has them.
 pub(crate) mod pack {
     pub(crate) fn number(mut value: u64, to: &mut Vec<u8>) {
@@ -151,8 +154,9 @@ proptest! {
         let mut short = pbf(false, dense);
         short.truncate(cut);
         for bytes in [file, short] {
-            let Ok(data) = OsmData::from_pbf(&bytes) else { continue };
-            prop_assert!(data.bytes() <= 20 * bytes.len() + (1 << 20));
+            let (most, read) = most(|| OsmData::from_pbf(&bytes));
+            prop_assert!(most <= bound(&bytes), "{} for {}", most, bytes.len());
+            let Ok(data) = read else { continue };
             let Ok((draft, _)) = data.draft(&ImportOptions::default()) else { continue };
             if let Ok(map) = draft.build() {
                 map.validate();
