@@ -6,21 +6,19 @@
 //!
 //! FILE is OpenStreetMap's XML or PBF, or VirtualCity's own map JSON, each plain or packed by gzip. Without one the hand-drawn map
 //! of `vc-map/data` is read.
-#![allow(
-    clippy::print_stdout,
-    clippy::disallowed_methods,
-    reason = "a program says what it does, and how long it takes"
-)]
+#![allow(clippy::disallowed_methods, reason = "a program says how long it takes")]
 
 mod raster;
+#[path = "../support/mod.rs"]
+mod support;
 
 use std::collections::BTreeMap;
-use std::error::Error;
 use std::io::Read;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use clap::Parser;
+use support::{Complaint, say};
 use vc_map::format::{geojson, native, opendrive, skeleton, sumo};
 use vc_map::osm::{ImportOptions, OsmData};
 use vc_map::picture::Drawing;
@@ -52,7 +50,7 @@ struct Arguments {
     part: Vec<f64>,
 }
 
-fn main() -> Result<(), Box<dyn Error>> {
+fn main() -> Result<(), Complaint> {
     let arguments = Arguments::parse();
     let (name, text) = text(arguments.file.as_deref())?;
     let begun = Instant::now();
@@ -60,21 +58,21 @@ fn main() -> Result<(), Box<dyn Error>> {
         Some(count) => (grid(count)?, String::new()),
         None => read(&name, &text, arguments.side.as_deref())?,
     };
-    println!("{name}: {} bytes in {:.3} s", text.len(), begun.elapsed().as_secs_f64());
+    say!("{name}: {} bytes in {:.3} s", text.len(), begun.elapsed().as_secs_f64());
     print(&map, &account);
     routes(&map);
     if let Some(folder) = &arguments.out {
         std::fs::create_dir_all(folder)?;
         write(&map, &account, folder, &name, &arguments)?;
-        println!("written to {}", folder.display());
+        say!("written to {}", folder.display());
     }
     Ok(())
 }
 
 /// The name and content of a file, unpacked.
-fn text(file: Option<&Path>) -> Result<(String, Vec<u8>), Box<dyn Error>> {
+fn text(file: Option<&Path>) -> Result<(String, Vec<u8>), Complaint> {
     let Some(path) = file else { return Ok(("riverside".to_owned(), OWN.as_bytes().to_vec())) };
-    let packed = std::fs::read(path).map_err(|error| format!("{}: {error}", path.display()))?;
+    let packed = std::fs::read(path).map_err(|error| Complaint::new(format_args!("{}: {error}", path.display())))?;
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     let name = name.split('.').next().unwrap_or("map").to_owned();
     if packed.starts_with(&[0x1f, 0x8b]) {
@@ -89,18 +87,18 @@ fn text(file: Option<&Path>) -> Result<(String, Vec<u8>), Box<dyn Error>> {
 }
 
 /// The map of a text, and the account of its import.
-fn read(name: &str, text: &[u8], side: Option<&str>) -> Result<(StreetMap, String), Box<dyn Error>> {
+fn read(name: &str, text: &[u8], side: Option<&str>) -> Result<(StreetMap, String), Complaint> {
     if text.trim_ascii_start().starts_with(b"{") {
         return Ok((native::read(std::str::from_utf8(text)?)?, String::new()));
     }
     let side = side.map(|side| if side == "left" { DrivingSide::Left } else { DrivingSide::Right });
     let options = ImportOptions { name: name.to_owned(), side };
     let (draft, report) = OsmData::read(text)?.draft(&options)?;
-    Ok((draft.build()?, report.to_string()))
+    Ok((draft.build_of_file(text.len())?, report.to_string()))
 }
 
 /// A grid of streets, every fourth of which is a main street.
-fn grid(count: u32) -> Result<StreetMap, Box<dyn Error>> {
+fn grid(count: u32) -> Result<StreetMap, Complaint> {
     let mut draft = MapDraft::new("grid", 48.0, 11.0);
     let cells = (0..count).flat_map(|y| (0..count).map(move |x| (x, y)));
     let at = |(x, y): (u32, u32)| [110.0 * f64::from(x) + f64::from((x + 3 * y) % 7), 110.0 * f64::from(y)];
@@ -136,23 +134,20 @@ fn print(map: &StreetMap, account: &str) {
         ("doors", map.entrances().len()),
         ("areas", map.areas().len()),
         ("stops", map.stops().len()),
-        ("parking bays", map.bays().len()),
+        ("parking bays", map.bays().count()),
     ];
-    rows.iter().for_each(|(what, count)| println!("{count:7}  {what}"));
+    rows.iter().for_each(|(what, count)| say!("{count:7}  {what}"));
     let drives = map.length_of(|lane, road| lane.users.any(Users::CAR | Users::BUS) && road.draft.class.is_through());
-    println!("{:7.2}  km of lanes for through traffic", drives / 1000.0);
+    say!("{:7.2}  km of lanes for through traffic", drives / 1000.0);
     let parts = map.walk_parts();
     let all: f64 = parts.iter().map(|(_, metres)| metres).sum();
     let main = parts.first().map_or(0.0, |(_, metres)| *metres);
-    println!("{:7.2}  km to walk, {:.1} % in one piece", all / 1000.0, 100.0 * main / all.max(1.0));
-    println!("{:7}  values guessed", account.lines().filter(|line| line.starts_with("guessed")).count());
-    println!("{:7}  elements dropped", account.lines().filter(|line| line.starts_with("dropped")).count());
-    let mut kinds: BTreeMap<String, usize> = BTreeMap::new();
-    for violation in map.validate() {
-        let kind = format!("{violation:?}");
-        *kinds.entry(kind.split([' ', '{']).next().unwrap_or_default().to_owned()).or_default() += 1;
-    }
-    kinds.iter().for_each(|(kind, count)| println!("{count:7}  violations: {kind}"));
+    say!("{:7.2}  km to walk, {:.1} % in one piece", all / 1000.0, 100.0 * main / all.max(1.0));
+    say!("{:7}  values guessed", account.lines().filter(|line| line.starts_with("guessed")).count());
+    say!("{:7}  elements dropped", account.lines().filter(|line| line.starts_with("dropped")).count());
+    let mut kinds: BTreeMap<&str, usize> = BTreeMap::new();
+    map.validate().iter().for_each(|violation| *kinds.entry(violation.kind()).or_default() += 1);
+    kinds.iter().for_each(|(kind, count)| say!("{count:7}  violations: {kind}"));
 }
 
 /// Times routes between places all over the map.
@@ -173,25 +168,29 @@ fn routes(map: &StreetMap) {
         }
         times.sort_unstable();
         if let Some(median) = times.get(times.len() / 2) {
-            println!("{mode:?}: {found} of {} routes, median {median:.0?}, prepared in {made:.0?}", times.len());
+            let micros = [median.as_micros(), made.as_micros()];
+            say!(
+                "routes {mode}: {found} of {}, median {} microseconds, prepared in {}",
+                times.len(),
+                micros[0],
+                micros[1]
+            );
         }
     }
 }
 
-fn write(
-    map: &StreetMap,
-    account: &str,
-    folder: &Path,
-    name: &str,
-    arguments: &Arguments,
-) -> Result<(), Box<dyn Error>> {
+fn write(map: &StreetMap, account: &str, folder: &Path, name: &str, arguments: &Arguments) -> Result<(), Complaint> {
     let drawing = match arguments.part.as_slice() {
         [west, south, east, north] => Drawing::within(map, [[*west, *south].into(), [*east, *north].into()]),
         _ => Drawing::of(map),
     };
     let put = |end: &str, text: &str| std::fs::write(folder.join(format!("{name}.{end}")), text);
     put("svg", &drawing.svg(arguments.scale))?;
-    std::fs::write(folder.join(format!("{name}.png")), raster::png(&drawing, arguments.scale)?)?;
+    let scale = raster::scale(&drawing, arguments.scale);
+    if scale < arguments.scale {
+        say!("the PNG has {scale:.2} pixels for a metre, as it would be too large: --part draws a part of the map");
+    }
+    std::fs::write(folder.join(format!("{name}.png")), raster::png(&drawing, scale)?)?;
     sumo::write(map, name).all().into_iter().try_for_each(|(end, text)| put(end, text))?;
     put("xodr", &opendrive::write(map))?;
     put("geojson", &geojson::write(map))?;

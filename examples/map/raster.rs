@@ -1,7 +1,6 @@
 //! Drawings as pixels.
 
-use std::error::Error;
-
+use crate::support::Complaint;
 use font8x8::UnicodeFonts;
 use tiny_skia::{
     FillRule, LineCap, LineJoin, Paint as Brush, Path, PathBuilder, Pixmap, Rect, Stroke, StrokeDash, Transform,
@@ -12,11 +11,18 @@ use vc_map::picture::{Colour, Drawing, GROUND, Paint, Text};
 /// The largest side of a picture, pixels.
 const LARGEST: f64 = 12_000.0;
 
+/// The scale at which a whole drawing fits into the largest picture: that which is asked for, or a smaller one.
+pub(crate) fn scale(drawing: &Drawing, asked: f64) -> f64 {
+    let [low, high] = drawing.bounds;
+    asked.min(LARGEST / (high.x - low.x).max(high.y - low.y).max(1.0))
+}
+
 /// A drawing as PNG, with a scale in pixels for a metre.
-pub(crate) fn png(drawing: &Drawing, scale: f64) -> Result<Vec<u8>, Box<dyn Error>> {
+pub(crate) fn png(drawing: &Drawing, scale: f64) -> Result<Vec<u8>, Complaint> {
     let [low, high] = drawing.bounds;
     let side = |metres: f64| (metres * scale).clamp(1.0, LARGEST) as u32;
-    let mut canvas = Pixmap::new(side(high.x - low.x), side(high.y - low.y)).ok_or("the picture has no pixels")?;
+    let mut canvas = Pixmap::new(side(high.x - low.x), side(high.y - low.y))
+        .ok_or_else(|| Complaint::new("the picture has no pixels: give a larger --scale"))?;
     canvas.fill(tiny_skia::Color::from_rgba8(GROUND[0], GROUND[1], GROUND[2], 255));
     for shape in &drawing.shapes {
         let closed = matches!(shape.paint, Paint::Fill(_));
@@ -121,7 +127,7 @@ fn legend(canvas: &mut Pixmap, drawing: &Drawing, scale: f64) {
     letters(canvas, "50 m", [14.0, bottom - 4.0], 0.0, size, [32, 32, 36], false);
 }
 
-fn encode(canvas: &Pixmap) -> Result<Vec<u8>, Box<dyn Error>> {
+fn encode(canvas: &Pixmap) -> Result<Vec<u8>, Complaint> {
     let mut file = Vec::new();
     let mut encoder = png::Encoder::new(&mut file, canvas.width(), canvas.height());
     encoder.set_color(png::ColorType::Rgb);

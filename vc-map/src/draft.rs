@@ -26,6 +26,7 @@ impl DrivingSide {
 /// Whether a way lies on the ground.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
+#[non_exhaustive]
 pub enum Structure {
     /// On the ground.
     #[default]
@@ -41,7 +42,8 @@ pub enum Structure {
 #[serde(rename_all = "snake_case")]
 #[non_exhaustive]
 pub enum Control {
-    /// The more important road; among equals the rule of the driving side.
+    /// The more important road goes first; among equals those who turn give way to oncoming traffic, and all others to whom
+    /// comes from the right.
     #[default]
     Priority,
     /// Everybody stops.
@@ -102,12 +104,20 @@ pub struct RoadDraft {
     /// Whether it is part of a roundabout.
     #[serde(default)]
     pub roundabout: bool,
+    /// Whether it is a slip road, which gives way to others of its class.
+    #[serde(default, skip_serializing_if = "is_false")]
+    pub slip: bool,
     /// Whether only those may use it who have something to do there.
     #[serde(default)]
     pub private: bool,
     /// The numbers of the ways that it was made from, of OpenStreetMap for example.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub source: Vec<i64>,
+}
+
+#[allow(clippy::trivially_copy_pass_by_ref, reason = "serde asks for a reference")]
+fn is_false(value: &bool) -> bool {
+    !value
 }
 
 /// A turn that is not allowed.
@@ -236,6 +246,7 @@ impl MapDraft {
             layer: 0,
             structure: Structure::Ground,
             roundabout: false,
+            slip: false,
             private: false,
             source: Vec::new(),
         });

@@ -1,13 +1,19 @@
 //! Errors of maps that cannot be built.
 
-use crate::{BuildingId, JunctionId, RoadId};
+use crate::{BuildingId, EntranceId, JunctionId, RoadId};
 
 /// A map cannot be built from its description.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum MapError {
+    /// The origin is not on Earth, or at a pole.
+    #[error("the origin is not on Earth: give a latitude of -89 to 89 degrees and a longitude of -180 to 180")]
+    NoOrigin,
+    /// Something has no place.
+    #[error("{0} has no place: give X and Y in metres from the origin, each within 1,000 km")]
+    Nowhere(String),
     /// A road begins or ends at a junction that there is not.
-    #[error("{road} ends at {junction}, which the map does not have")]
+    #[error("{road} ends at {junction}, which the map does not have: add it, or name another")]
     NoSuchJunction {
         /// The road.
         road: RoadId,
@@ -15,7 +21,7 @@ pub enum MapError {
         junction: JunctionId,
     },
     /// A crossing or a ban names a road that does not end at its junction.
-    #[error("a {what} at {junction} names {road}, which does not end there")]
+    #[error("a {what} at {junction} names {road}, which does not end there: name a road that does")]
     NotAtJunction {
         /// A crossing or a ban.
         what: &'static str,
@@ -24,37 +30,62 @@ pub enum MapError {
         /// The road.
         road: RoadId,
     },
-    /// A road's line has no length, or a number in it is not finite.
-    #[error("the line of {0} needs two points that differ, with finite coordinates within 1,000 km")]
+    /// A road's line has no length.
+    #[error("the line of {0} has no length: give two points at least that lie a millimetre apart")]
     NoLine(RoadId),
-    /// A road has a strip without a width, or no strip at all.
-    #[error("{0} needs at least one strip, each with a width from 0.1 to 100 m and a limit of 0.1 to 150 m/s")]
+    /// A road has no strip at all.
+    #[error("{0} has no strip: add one to a side of its section")]
     NoStrip(RoadId),
-    /// A junction lies nowhere.
-    #[error("{0} is not at a finite place within 1,000 km")]
-    Nowhere(JunctionId),
-    /// Too many roads meet.
-    #[error("{arms} roads meet at {junction}, at most {most} can: split it")]
-    TooManyArms {
-        /// The junction.
-        junction: JunctionId,
-        /// The roads.
-        arms: usize,
-        /// The most that can meet.
+    /// A number is out of its range.
+    #[error("the {what} of {part} is {value}: give one from {least} to {most}")]
+    OutOfRange {
+        /// The part of the map, as `road 3`.
+        part: String,
+        /// The quantity, with its unit.
+        what: &'static str,
+        /// Its value.
+        value: f64,
+        /// The least that is allowed.
+        least: f64,
+        /// The most.
+        most: f64,
+    },
+    /// A part of the map has more of something than it can have.
+    #[error("{part} has {count} {what}, at most {most} are possible: split it")]
+    TooMany {
+        /// The part of the map, as `junction 3`.
+        part: String,
+        /// Roads, strips, movements.
+        what: &'static str,
+        /// Their number.
+        count: usize,
+        /// The most that are possible.
         most: usize,
     },
     /// An entrance names a building that there is not.
-    #[error("an entrance names {0}, which the map does not have")]
-    NoSuchBuilding(BuildingId),
-    /// An outline has fewer than three points, or one that is not finite.
-    #[error("the outline of {what} {index} needs three finite points at least")]
+    #[error("{entrance} names {building}, which the map does not have: add it, or name another")]
+    NoSuchBuilding {
+        /// The entrance.
+        entrance: EntranceId,
+        /// The missing building.
+        building: BuildingId,
+    },
+    /// An outline has fewer than three points, or one without a place.
+    #[error("the outline of {what} {index} needs three points at least, each within 1,000 km of the origin")]
     NoOutline {
         /// A building or an area.
         what: &'static str,
         /// Its position in the list.
         index: usize,
     },
-    /// The origin is not on Earth.
-    #[error("the origin has a latitude of -89 to 89 and a longitude of -180 to 180 degrees")]
-    NoOrigin,
+    /// The map would take more memory than it may.
+    #[error(
+        "with {part} the map takes more than {most} bytes: leave parts out, or allow more by `MapDraft::build_within`"
+    )]
+    TooLarge {
+        /// The part at which the memory was used up.
+        part: String,
+        /// The bytes that it may take.
+        most: usize,
+    },
 }

@@ -9,6 +9,7 @@ mod geo;
 mod id;
 mod index;
 mod map;
+mod offset;
 pub mod osm;
 mod parts;
 pub mod picture;
@@ -17,6 +18,7 @@ mod polyline;
 pub mod route;
 mod section;
 mod signal;
+mod size;
 mod users;
 pub mod validate;
 

@@ -1,13 +1,16 @@
 //! The built map: immutable, indexed, cheap to share.
 
+use std::collections::{BTreeMap, BTreeSet};
+use std::fmt;
 use std::sync::Arc;
 
 use crate::index::PointIndex;
-use crate::parts::{Bay, Entrance, Junction, Lane, Movement, Road, RoadCrossing, Stop, WalkEdge, WalkNode};
+use crate::parts::{Entrance, Junction, Lane, Movement, Road, RoadCrossing, Stop, WalkEdge, WalkNode};
 use crate::signal::Signal;
+use crate::size::Holds;
 use crate::{
-    BuildingId, CrossingId, DrivingSide, EntranceId, JunctionId, LaneId, MapDraft, MovementId, Origin, Point, Polyline,
-    RoadId, SignalId, Users, WalkEdgeId, WalkNodeId,
+    BuildingId, CrossingId, DrivingSide, EntranceId, JunctionId, LaneId, MapDraft, MovementId, Origin, Point, RoadId,
+    SignalId, Users, WalkEdgeId, WalkNodeId,
 };
 
 /// A map: streets with lanes, junctions with movements, signals, a walkable network, places. It does not change; clones
@@ -29,12 +32,11 @@ use crate::{
 /// assert_eq!(map.junction(middle).map(|junction| junction.movements.len()), Some(6));
 /// # Ok::<(), vc_map::MapError>(())
 /// ```
-#[derive(Debug, Clone)]
+#[derive(Clone)]
 pub struct StreetMap {
     pub(crate) inner: Arc<Inner>,
 }
 
-#[derive(Debug)]
 pub(crate) struct Inner {
     pub(crate) draft: MapDraft,
     pub(crate) junctions: Vec<Junction>,
@@ -47,7 +49,6 @@ pub(crate) struct Inner {
     pub(crate) walk_edges: Vec<WalkEdge>,
     pub(crate) walk_at: Vec<Vec<WalkEdgeId>>,
     pub(crate) entrances: Vec<Entrance>,
-    pub(crate) bays: Vec<Bay>,
     pub(crate) stops: Vec<Stop>,
     pub(crate) lane_index: PointIndex,
     pub(crate) walk_index: PointIndex,
@@ -124,24 +125,48 @@ impl StreetMap {
         &self.inner.draft.areas
     }
 
-    /// Its parking bays.
-    pub fn bays(&self) -> &[Bay] {
-        &self.inner.bays
-    }
-
     /// Its stops.
     pub fn stops(&self) -> &[Stop] {
         &self.inner.stops
     }
 
-    /// The lane for some users that is nearest to a point, within a distance in metres, with the station there.
+    /// The lane for some users that is nearest to a point, within a distance in metres, with the station there. Costs the
+    /// logarithm of the number of lanes and a look at those near by.
+    ///
+    /// ```
+    /// # use vc_map::{Control, CrossSection, MapDraft, RoadClass, Strip, Users};
+    /// # let mut draft = MapDraft::new("street", 48.1, 11.6);
+    /// # let ends = [[0.0, 0.0], [100.0, 0.0]].map(|at| draft.junction(at, Control::Priority));
+    /// # let side = vec![Strip::driving(3.0, 8.3), Strip::pavement(2.0)];
+    /// # let section = CrossSection { forward: side.clone(), backward: side, median: 0.0 };
+    /// # draft.road(ends[0], ends[1], RoadClass::Residential, section);
+    /// # let map = draft.build()?; // a street of 100 m along X
+    /// let (lane, station) = map.lane_near(&[30.0, -2.0].into(), Users::CAR, 10.0).ok_or("none")?;
+    /// assert!(map.lane(lane).is_some_and(|lane| lane.forward) && (station - 30.0).abs() < 1e-9);
+    /// assert_eq!(map.lane_near(&[30.0, 90.0].into(), Users::CAR, 10.0), None);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn lane_near(&self, point: &Point, users: Users, within: f64) -> Option<(LaneId, f64)> {
         let lane =
             |id: u32| self.inner.lanes.get(id as usize).filter(|lane| lane.users.any(users)).map(|lane| &lane.line);
-        self.inner.lane_index.nearest(point, within, lane).map(|(id, station, _)| (LaneId(id), station))
+        self.inner.lane_index.nearest(point, within, lane).map(|(id, station)| (LaneId(id), station))
     }
 
     /// The edge of the walkable network that is nearest to a point, within a distance in metres, with the station there.
+    /// Costs as [`Self::lane_near`]; [`Self::pavement_near`] leaves corners and crossings out.
+    ///
+    /// ```
+    /// # use vc_map::{Control, CrossSection, MapDraft, RoadClass, Strip};
+    /// # let mut draft = MapDraft::new("street", 48.1, 11.6);
+    /// # let ends = [[0.0, 0.0], [100.0, 0.0]].map(|at| draft.junction(at, Control::Priority));
+    /// # let side = vec![Strip::driving(3.0, 8.3), Strip::pavement(2.0)];
+    /// # let section = CrossSection { forward: side.clone(), backward: side, median: 0.0 };
+    /// # draft.road(ends[0], ends[1], RoadClass::Residential, section);
+    /// # let map = draft.build()?; // a street of 100 m along X
+    /// let (edge, station) = map.walk_near(&[30.0, 9.0].into(), 10.0).ok_or("none")?;
+    /// assert_eq!(map.walk_edge(edge).map(|edge| edge.line.at(station)), Some([30.0, 4.0].into()));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn walk_near(&self, point: &Point, within: f64) -> Option<(WalkEdgeId, f64)> {
         self.walk_edge_near(point, within, |_| true)
     }
@@ -153,7 +178,32 @@ impl StreetMap {
         of: impl Fn(&WalkEdge) -> bool,
     ) -> Option<(WalkEdgeId, f64)> {
         let edge = |id: u32| self.inner.walk_edges.get(id as usize).filter(|edge| of(edge)).map(|edge| &edge.line);
-        self.inner.walk_index.nearest(point, within, edge).map(|(id, station, _)| (WalkEdgeId(id), station))
+        self.inner.walk_index.nearest(point, within, edge).map(|(id, station)| (WalkEdgeId(id), station))
+    }
+
+    /// Whether lights rule the end of a lane.
+    pub(crate) fn is_lit(&self, lane: &Lane) -> bool {
+        let junction = lane.next.first().and_then(|id| self.movement(*id)).and_then(|m| self.junction(m.junction));
+        junction.is_some_and(|junction| junction.signal.is_some())
+    }
+
+    /// The lanes that lights rule at a junction.
+    pub(crate) fn lit_lanes(&self, junction: &Junction) -> BTreeSet<LaneId> {
+        let lit = junction.signal.map(|_| junction.movements.iter().filter_map(|id| self.movement(*id)));
+        lit.into_iter().flatten().map(|movement| movement.from).collect()
+    }
+
+    /// The streets and paths with names, each by its longest road.
+    pub(crate) fn named(&self) -> BTreeMap<&str, &Road> {
+        let mut longest: BTreeMap<&str, &Road> = BTreeMap::new();
+        for road in self.roads().iter().filter(|road| !road.draft.class.is_rail()) {
+            let Some(name) = road.draft.name.as_deref() else { continue };
+            let known = longest.entry(name).or_insert(road);
+            if road.line.length() > known.line.length() {
+                *known = road;
+            }
+        }
+        longest
     }
 
     /// The edges of the walkable network at a node.
@@ -161,10 +211,31 @@ impl StreetMap {
         self.inner.walk_at.get(node.index()).map_or(&[], Vec::as_slice)
     }
 
-    /// The length of all lanes for which something holds, metres.
+    /// The length of all lanes for which something holds, metres. Costs one pass over the lanes.
+    ///
+    /// ```
+    /// # use vc_map::{Control, CrossSection, MapDraft, RoadClass, Strip, Users};
+    /// # let mut draft = MapDraft::new("street", 48.1, 11.6);
+    /// # let ends = [[0.0, 0.0], [100.0, 0.0]].map(|at| draft.junction(at, Control::Priority));
+    /// # let section = CrossSection { forward: vec![Strip::driving(3.0, 8.3)], ..CrossSection::default() };
+    /// # draft.road(ends[0], ends[1], RoadClass::Residential, section);
+    /// # let map = draft.build()?; // a one-way street of 100 m
+    /// assert_eq!(map.length_of(|lane, road| lane.users.has(Users::CAR) && road.draft.class.is_through()), 100.0);
+    /// # Ok::<(), vc_map::MapError>(())
+    /// ```
     pub fn length_of(&self, lanes: impl Fn(&Lane, &Road) -> bool) -> f64 {
         let holds = |lane: &&Lane| self.road(lane.road).is_some_and(|road| lanes(lane, road));
         self.lanes().iter().filter(holds).map(|lane| lane.line.length()).sum()
+    }
+
+    /// The memory that it takes with its description, bytes. Costs one pass over everything.
+    pub fn bytes(&self) -> usize {
+        let Inner { draft, junctions, roads, lanes, movements, signals, crossings, .. } = &*self.inner;
+        let Inner { walk_nodes, walk_edges, walk_at, entrances, stops, lane_index, walk_index, .. } = &*self.inner;
+        let lists = [junctions.held(), roads.held(), lanes.held(), movements.held(), signals.held(), crossings.held()];
+        let walk = [walk_nodes.held(), walk_edges.held(), walk_at.held(), entrances.held(), stops.held()];
+        let held: usize = lists.into_iter().chain(walk).sum();
+        draft.bytes() + held + lane_index.bytes() + walk_index.bytes()
     }
 
     /// The smallest box around all roads, buildings and areas, metres: lower left, upper right. `None` for an empty map.
@@ -179,31 +250,17 @@ impl StreetMap {
     }
 }
 
+/// The name and the size: a whole map would fill a screen with every street.
+impl fmt::Debug for StreetMap {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (roads, junctions) = (self.roads().len(), self.junctions().len());
+        write!(f, "StreetMap({:?}, {roads} roads, {junctions} junctions)", self.name())
+    }
+}
+
 /// Maps are equal if they were built from equal descriptions.
 impl PartialEq for StreetMap {
     fn eq(&self, other: &Self) -> bool {
         Arc::ptr_eq(&self.inner, &other.inner) || self.inner.draft == other.inner.draft
-    }
-}
-
-/// A list of line-like things by the squares that they pass.
-impl PointIndex {
-    /// The nearest line: its number, the station there and the distance.
-    fn nearest<'a>(
-        &self,
-        point: &Point,
-        within: f64,
-        line: impl Fn(u32) -> Option<&'a Polyline>,
-    ) -> Option<(u32, f64, f64)> {
-        let mut best: Option<(u32, f64, f64)> = None;
-        self.around(point, within, |id| {
-            let Some(near) = line(id).map(|line| line.project(point)) else { return f64::INFINITY };
-            let away = (near.point - point).norm();
-            if away <= within && best.is_none_or(|(known, _, least)| away < least || (away == least && id < known)) {
-                best = Some((id, near.station, away));
-            }
-            best.map_or(f64::INFINITY, |(_, _, least)| least)
-        });
-        best
     }
 }

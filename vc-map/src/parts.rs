@@ -3,8 +3,8 @@
 use nalgebra::Vector2;
 
 use crate::{
-    BuildingId, ConflictTable, CrossingId, CrossingKind, JunctionDraft, JunctionId, LaneId, MovementId, Point,
-    Polyline, RoadDraft, RoadId, SignalId, StripKind, Turns, Users, WalkEdgeId, WalkNodeId,
+    BuildingId, ConflictTable, CrossingId, CrossingKind, DrivingSide, JunctionDraft, JunctionId, LaneId, MovementId,
+    Point, Polyline, RoadDraft, RoadId, SignalId, StripKind, Turns, Users, WalkEdgeId, WalkNodeId,
 };
 
 /// A road of a map.
@@ -19,6 +19,13 @@ pub struct Road {
     pub cuts: [f64; 2],
     /// Its lanes: those along the line from the divider outward, then those against it.
     pub lanes: Vec<LaneId>,
+}
+
+impl Road {
+    /// The part of its line between its junctions.
+    pub(crate) fn middle(&self) -> Polyline {
+        self.line.part(self.cuts[0], self.line.length() - self.cuts[1]).unwrap_or_else(|| self.line.clone())
+    }
 }
 
 /// A strip of a road that somebody uses, in the direction of travel.
@@ -85,12 +92,13 @@ pub struct Junction {
     pub crossings: Vec<CrossingId>,
     /// Its signal.
     pub signal: Option<SignalId>,
-    /// Its outline, counter-clockwise; empty if fewer than three points.
+    /// Its outline, counter-clockwise; empty if fewer than two roads meet.
     pub outline: Vec<Point>,
 }
 
 /// The direction of a movement.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[non_exhaustive]
 pub enum Turn {
     /// Straight on.
     Through,
@@ -100,6 +108,23 @@ pub enum Turn {
     Right,
     /// Back.
     Back,
+}
+
+impl Turn {
+    /// The mark of a lane from which one goes there.
+    pub(crate) fn mark(self) -> Turns {
+        match self {
+            Self::Through => Turns::THROUGH,
+            Self::Left => Turns::LEFT,
+            Self::Right => Turns::RIGHT,
+            Self::Back => Turns::BACK,
+        }
+    }
+
+    /// Whether it leads over the divider: to the left for those who keep to the right.
+    pub(crate) fn crosses_divider(self, side: DrivingSide) -> bool {
+        self == Self::Back || self == if side == DrivingSide::Right { Self::Left } else { Self::Right }
+    }
 }
 
 /// A way over a junction, from the end of a lane to the start of another.
@@ -119,7 +144,7 @@ pub struct Movement {
     /// Those who may go.
     pub users: Users,
     /// The movements of its junction to which it gives way where no signal rules, by their positions there.
-    pub yields: Vec<u16>,
+    pub yields: Vec<u32>,
 }
 
 /// A crossing over an end of a road.

@@ -1,5 +1,7 @@
 //! Lines with arc length: stations, headings, projection, offsets.
 
+use std::ops::Range;
+
 use nalgebra::{Point2, Vector2};
 use vc_graph::portable::Portable;
 
@@ -8,8 +10,6 @@ pub type Point = Point2<f64>;
 
 /// Points nearer than this are one, metres.
 const SAME: f64 = 1e-3;
-/// An offset corner lies at most this many times the offset from the line's own.
-const LONGEST_MITRE: f64 = 2.0;
 
 /// A line of straight pieces, with the arc length of each of its points. It has at least two points that differ.
 ///
@@ -96,7 +96,7 @@ impl Polyline {
     }
 
     /// The unit vector along a piece.
-    fn along(&self, piece: usize) -> Vector2<f64> {
+    pub(crate) fn along(&self, piece: usize) -> Vector2<f64> {
         (self.points[piece + 1] - self.points[piece]).normalize()
     }
 
@@ -120,8 +120,13 @@ impl Polyline {
 
     /// The point of the line that is nearest to a point; the first of several. Costs one pass over the line.
     pub fn project(&self, point: &Point) -> Projection {
+        self.project_on(point, 0..self.points.len())
+    }
+
+    /// The nearest point of some pieces, of which those count that there are.
+    pub(crate) fn project_on(&self, point: &Point, pieces: Range<usize>) -> Projection {
         let mut best = (f64::INFINITY, 0, 0.0);
-        for piece in 0..self.points.len() - 1 {
+        for piece in pieces.start..pieces.end.min(self.points.len() - 1) {
             let along = self.along(piece);
             let length = self.stations[piece + 1] - self.stations[piece];
             let step = (point - self.points[piece]).dot(&along).clamp(0.0, length);
@@ -141,7 +146,9 @@ impl Polyline {
     /// The part between two stations, or `None` if it is shorter than a millimetre.
     #[must_use]
     pub fn part(&self, from: f64, to: f64) -> Option<Self> {
-        let inner = self.points.iter().zip(&self.stations).filter(|(_, at)| **at > from && **at < to).map(|(p, _)| *p);
+        let [first, last] =
+            [self.stations.partition_point(|at| *at <= from), self.stations.partition_point(|at| *at < to)];
+        let inner = self.points.get(first..last).into_iter().flatten().copied();
         Self::new([self.at(from)].into_iter().chain(inner).chain([self.at(to)])).filter(|_| to - from >= SAME)
     }
 
@@ -153,21 +160,6 @@ impl Polyline {
             points: self.points.iter().rev().copied().collect(),
             stations: self.stations.iter().rev().map(|at| length - at).collect(),
         }
-    }
-
-    /// The line at a distance to the left, metres; to the right if it is negative. Corners are mitred, by at most twice
-    /// the distance.
-    #[must_use]
-    pub fn offset(&self, left: f64) -> Self {
-        let last = self.points.len() - 1;
-        let moved = (0..=last).map(|i| {
-            let (before, after) = (self.along(i.saturating_sub(1).min(last - 1)), self.along(i.min(last - 1)));
-            let normal = |along: Vector2<f64>| Vector2::new(-along.y, along.x);
-            let mean = normal(before) + normal(after);
-            let mean = if mean.norm() < 1e-6 { normal(after) } else { mean.normalize() };
-            self.points[i] + mean * (left / mean.dot(&normal(after)).max(1.0 / LONGEST_MITRE))
-        });
-        Self::new(moved).unwrap_or_else(|| self.clone())
     }
 
     /// Two lines, the second from where the first ends.
@@ -188,12 +180,28 @@ impl Polyline {
         to(self, &other.points).min(to(other, &self.points))
     }
 
-    /// Whether the two lines have a point in common, other than by touching with their ends.
-    pub fn crosses(&self, other: &Self) -> bool {
-        let pieces = |line: &Self| line.points.windows(2).map(|w| (w[0], w[1])).collect::<Vec<_>>();
-        let others = pieces(other);
-        pieces(self).iter().any(|one| others.iter().any(|two| crossing(*one, *two)))
+    /// The box around it: lower left, upper right.
+    pub(crate) fn bounds(&self) -> [Point; 2] {
+        self.points.iter().fold([self.points[0]; 2], |[low, high], point| [low.inf(point), high.sup(point)])
     }
+
+    /// The memory that its points take, bytes.
+    pub(crate) fn bytes(&self) -> usize {
+        self.points.capacity() * size_of::<Point>() + self.stations.capacity() * size_of::<f64>()
+    }
+
+    /// Whether the two lines have a point in common, other than by touching with their ends. Costs the product of their
+    /// points.
+    pub fn crosses(&self, other: &Self) -> bool {
+        self.points
+            .windows(2)
+            .any(|ends| other.points.windows(2).any(|others| crossing((ends[0], ends[1]), (others[0], others[1]))))
+    }
+}
+
+/// To the left of a direction.
+pub(crate) fn normal(along: Vector2<f64>) -> Vector2<f64> {
+    Vector2::new(-along.y, along.x)
 }
 
 /// Whether two pieces cross within both.

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::{Turns, Users};
 
-/// The class of a road. Where a file has no lanes, widths or limits, they follow from it: see [`osm`](crate::osm).
+/// The class of a road, by the values of OpenStreetMap's key `highway`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 #[non_exhaustive]
@@ -209,6 +209,11 @@ impl CrossSection {
     pub fn carriageway(&self, forward: bool) -> f64 {
         let road = |strip: &&Strip| !matches!(strip.kind, StripKind::Pavement | StripKind::Verge);
         self.side(forward).iter().filter(road).map(|strip| strip.width).sum()
+    }
+
+    /// The width of both carriageways with the divider between them, metres.
+    pub fn surface(&self) -> f64 {
+        self.carriageway(true) + self.carriageway(false) + self.median
     }
 
     /// How far the divider lies from the middle of the carriageway, metres, towards the side of `backward`.

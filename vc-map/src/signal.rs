@@ -62,7 +62,17 @@ impl ConflictTable {
             && self.bits[one * self.words..][..self.words].iter().zip(busy).all(|(row, busy)| row & busy == 0)
     }
 
-    /// All pairs, the smaller number first.
+    pub(crate) fn bytes(&self) -> usize {
+        self.bits.capacity() * size_of::<u64>()
+    }
+
+    /// All pairs, the smaller number first. Costs the square of the size.
+    ///
+    /// ```
+    /// let mut table = vc_map::ConflictTable::new(3);
+    /// table.set(2, 0);
+    /// assert_eq!(table.pairs().collect::<Vec<_>>(), [(0, 2)]);
+    /// ```
     pub fn pairs(&self) -> impl Iterator<Item = (usize, usize)> {
         (0..self.size).flat_map(move |one| {
             (one + 1..self.size).filter(move |other| self.has(one, *other)).map(move |other| (one, other))
@@ -72,6 +82,7 @@ impl ConflictTable {
 
 /// The light for a movement or crossing in a phase.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[non_exhaustive]
 pub enum Light {
     /// Wait.
     Red,

@@ -79,10 +79,8 @@ macro_rules! masks {
 
         impl fmt::Debug for $name {
             fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                if self.is_empty() {
-                    return f.write_str("none");
-                }
-                f.write_str(&self.words().collect::<Vec<_>>().join("|"))
+                let words = self.words().collect::<Vec<_>>().join("|");
+                f.write_str(if words.is_empty() { "none" } else { &words })
             }
         }
     };
@@ -127,10 +125,8 @@ masks! {
 }
 
 impl Users {
-    /// Everybody who drives on a carriageway.
+    /// Vehicles on tyres: everybody who drives on a carriageway.
     pub const TRAFFIC: Self = Self(1 | 2 | 4);
-    /// Those for whom a lane is part of the road network of vehicles on tyres.
-    pub const WHEELS: Self = Self::TRAFFIC;
     /// Trams and trains.
     pub const RAILS: Self = Self(16 | 32);
 }

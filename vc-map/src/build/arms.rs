@@ -7,8 +7,9 @@ use vc_graph::portable::Portable;
 
 use super::MOST_ARMS;
 use crate::parts::{Arm, Junction, Road};
+use crate::polyline::normal;
 use crate::signal::ConflictTable;
-use crate::{DrivingSide, JunctionId, MapDraft, MapError, Point, Polyline, RoadId};
+use crate::{JunctionId, MapDraft, MapError, Point, Polyline, RoadId};
 
 /// The direction of an arm is that of its point at this distance, metres.
 const LOOK: f64 = 12.0;
@@ -17,8 +18,9 @@ const FARTHEST_CUT: f64 = 30.0;
 /// Every arm is cut back by at least this, metres; where people cross, a crossing has to fit between two arms.
 const LEAST: f64 = 0.5;
 const CROSSED: f64 = 2.5;
-/// The part of a road that a junction can take.
+/// The part of a road that a junction can take, and the least that is left of it, metres.
 const LARGEST_PART: f64 = 0.4;
+const LEFT: f64 = 0.01;
 
 pub(super) fn junctions(draft: &MapDraft, lines: &[Polyline]) -> Result<Vec<Junction>, MapError> {
     let mut junctions: Vec<Junction> = draft
@@ -43,8 +45,8 @@ pub(super) fn junctions(draft: &MapDraft, lines: &[Polyline]) -> Result<Vec<Junc
     }
     for (index, junction) in junctions.iter_mut().enumerate() {
         if junction.arms.len() > MOST_ARMS {
-            let junction_id = JunctionId::of(index);
-            return Err(MapError::TooManyArms { junction: junction_id, arms: junction.arms.len(), most: MOST_ARMS });
+            let (part, count) = (JunctionId::of(index).to_string(), junction.arms.len());
+            return Err(MapError::TooMany { part, what: "roads", count, most: MOST_ARMS });
         }
         junction.arms.sort_by(|a, b| angle(&a.away).total_cmp(&angle(&b.away)).then(a.road.cmp(&b.road)));
     }
@@ -63,15 +65,9 @@ fn angle(v: &Vector2<f64>) -> f64 {
     v.y.angle_to(v.x)
 }
 
-/// How far the surface of a road reaches to the left and right of its line, seen along `away`, metres.
-fn reach(draft: &MapDraft, arm: &Arm) -> [f64; 2] {
-    let section = &draft.roads[arm.road.index()].section;
-    let forward = section.carriageway(true) - section.shift() + section.median / 2.0;
-    let backward = section.carriageway(false) + section.shift() + section.median / 2.0;
-    // Traffic that drives on the right goes along the line on its right.
-    let (left, right) =
-        if (draft.side == DrivingSide::Right) == arm.start { (backward, forward) } else { (forward, backward) };
-    [left, right]
+/// How far the carriageway of a road reaches to each side of its line, which is its middle, metres.
+fn reach(draft: &MapDraft, arm: &Arm) -> f64 {
+    draft.roads[arm.road.index()].section.surface() / 2.0
 }
 
 /// The lengths that junctions take from the start and end of each road.
@@ -87,7 +83,8 @@ pub(super) fn cuts(draft: &MapDraft, lines: &[Polyline], junctions: &[Junction])
             let along = (begin - junction.at).dot(&arm.away).max(0.0);
             let least = if walked && street(&arm) { CROSSED } else { LEAST };
             let cut = (cut(draft, junction, index) - along).clamp(least, FARTHEST_CUT);
-            cuts[arm.road.index()][usize::from(!arm.start)] = cut.min(line.length() * LARGEST_PART);
+            let most = (line.length() * LARGEST_PART).min((line.length() - LEFT) / 2.0).max(0.0);
+            cuts[arm.road.index()][usize::from(!arm.start)] = cut.min(most);
         }
     }
     cuts
@@ -99,12 +96,11 @@ fn cut(draft: &MapDraft, junction: &Junction, index: usize) -> f64 {
     let (arm, count) = (&arms[index], arms.len());
     let street = |arm: &Arm| draft.roads[arm.road.index()].class.is_street();
     let corner = if arms.iter().filter(|arm| street(arm)).count() > 2 && street(arm) { 1.5 } else { 0.0 };
-    let other = |other: &Arm, left: bool| {
+    let other = |other: &Arm| {
         if !street(other) && street(arm) {
             return 0.0;
         }
         let (mine, theirs) = (reach(draft, arm), reach(draft, other));
-        let (mine, theirs) = if left { (mine[0], theirs[1]) } else { (mine[1], theirs[0]) };
         let (cosine, sine) = (arm.away.dot(&other.away), arm.away.perp(&other.away).abs());
         // Roads that go on straight, or nearly lie on each other, do not meet at a corner.
         if sine < 0.3 {
@@ -112,7 +108,7 @@ fn cut(draft: &MapDraft, junction: &Junction, index: usize) -> f64 {
         }
         (theirs + mine * cosine) / sine + corner
     };
-    other(&arms[(index + 1) % count], true).max(other(&arms[(index + count - 1) % count], false))
+    other(&arms[(index + 1) % count]).max(other(&arms[(index + count - 1) % count]))
 }
 
 /// Outlines: the corners of the cut ends, counter-clockwise.
@@ -135,9 +131,6 @@ fn edges(road: &Road, start: bool) -> [Point; 2] {
     let station = if start { road.cuts[0] } else { road.line.length() - road.cuts[1] };
     let at = road.line.at(station);
     let along = road.line.direction(station) * if start { 1.0 } else { -1.0 };
-    let normal = Vector2::new(-along.y, along.x);
-    let half =
-        (road.draft.section.carriageway(true) + road.draft.section.carriageway(false) + road.draft.section.median)
-            / 2.0;
-    [at + normal * half, at - normal * half]
+    let aside = normal(along) * (road.draft.section.surface() / 2.0);
+    [at + aside, at - aside]
 }

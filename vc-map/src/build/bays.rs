@@ -16,16 +16,12 @@ const DOOR: f64 = 200.0;
 /// A stop is at most this far from its lane, metres.
 const STOP: f64 = 25.0;
 
-pub(super) fn bays(lanes: &[Lane]) -> Vec<Bay> {
-    let parking = lanes.iter().enumerate().filter(|(_, lane)| lane.kind == StripKind::Parking);
-    parking.flat_map(|(index, lane)| row(LaneId::of(index), lane)).collect()
-}
-
+/// The bays of a lane for parking.
 fn row(id: LaneId, lane: &Lane) -> impl Iterator<Item = Bay> {
     let across = lane.width > ACROSS;
     let size = if across { [lane.width, ACROSS_WIDTH] } else { [ALONG[0], lane.width] };
     let (step, turn) = if across { (ACROSS_WIDTH, std::f64::consts::FRAC_PI_2) } else { (ALONG[0], 0.0) };
-    let count = ((lane.line.length() - 2.0 * CLEAR) / step).clamp(0.0, 1e4) as u32;
+    let count = ((lane.line.length() - 2.0 * CLEAR) / step).max(0.0) as u32;
     (0..count).map(move |i| {
         let station = CLEAR + (f64::from(i) + 0.5) * step;
         Bay { lane: id, at: lane.line.at(station), heading: lane.line.heading(station) + turn, size }
@@ -62,12 +58,44 @@ pub(super) fn stops(map: &StreetMap) -> Vec<Stop> {
 }
 
 impl StreetMap {
+    /// Its parking bays, in the order of their lanes. They are worked out while one goes through them: a map of long roads
+    /// has many, and does not hold them.
+    ///
+    /// ```
+    /// use vc_map::{Control, CrossSection, MapDraft, RoadClass, Strip, StripKind, Users};
+    /// let mut draft = MapDraft::new("street", 48.1, 11.6);
+    /// let ends = [[0.0, 0.0], [100.0, 0.0]].map(|at| draft.junction(at, Control::Priority));
+    /// let parking = Strip::new(StripKind::Parking, 2.1, Users::NONE, 8.3);
+    /// let section = CrossSection { forward: vec![Strip::driving(3.0, 8.3), parking], ..CrossSection::default() };
+    /// draft.road(ends[0], ends[1], RoadClass::Residential, section);
+    /// assert_eq!(draft.build()?.bays().count(), 15);
+    /// # Ok::<(), vc_map::MapError>(())
+    /// ```
+    pub fn bays(&self) -> impl Iterator<Item = Bay> + '_ {
+        let parking = self.lanes().iter().enumerate().filter(|(_, lane)| lane.kind == StripKind::Parking);
+        parking.flat_map(|(index, lane)| row(LaneId::of(index), lane))
+    }
+
     /// The pavement, path or shared street that is nearest to a point, within a distance in metres, with the station there.
+    /// Costs as [`Self::lane_near`].
+    ///
+    /// ```
+    /// # use vc_map::{Control, CrossSection, MapDraft, RoadClass, Strip, WalkKind};
+    /// # let mut draft = MapDraft::new("street", 48.1, 11.6);
+    /// # let ends = [[0.0, 0.0], [100.0, 0.0]].map(|at| draft.junction(at, Control::Priority));
+    /// # let side = vec![Strip::driving(3.0, 8.3), Strip::pavement(2.0)];
+    /// # let section = CrossSection { forward: side.clone(), backward: side, median: 0.0 };
+    /// # draft.road(ends[0], ends[1], RoadClass::Residential, section);
+    /// # let map = draft.build()?; // a street of 100 m along X
+    /// let (edge, _) = map.pavement_near(&[30.0, 9.0].into(), 10.0).ok_or("none")?;
+    /// assert!(matches!(map.walk_edge(edge).map(|edge| edge.kind), Some(WalkKind::Lane(_))));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn pavement_near(&self, point: &Point, within: f64) -> Option<(crate::WalkEdgeId, f64)> {
         self.walk_edge_near(point, within, |edge| matches!(edge.kind, WalkKind::Lane(_) | WalkKind::Shared(_)))
     }
 
-    /// The doors of a building.
+    /// The doors of a building. Costs one pass over all doors.
     pub fn entrances_of(&self, building: crate::BuildingId) -> Vec<crate::EntranceId> {
         let own = |(_, entrance): &(usize, &Entrance)| entrance.building == building;
         self.entrances().iter().enumerate().filter(own).map(|(index, _)| crate::EntranceId::of(index)).collect()

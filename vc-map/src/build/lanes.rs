@@ -1,5 +1,6 @@
 //! Lanes: the strips of roads that somebody uses, as lines in the direction of travel.
 
+use super::budget::Budget;
 use crate::parts::{Lane, Road};
 use crate::{LaneId, MapDraft, MapError, Polyline, RoadId, StripKind};
 
@@ -18,24 +19,33 @@ pub(super) fn lanes(
     draft: &MapDraft,
     lines: Vec<Polyline>,
     cuts: &[[f64; 2]],
+    budget: &mut Budget,
 ) -> Result<(Vec<Road>, Vec<Lane>), MapError> {
     let mut lanes = Vec::new();
     let mut roads = Vec::with_capacity(lines.len());
     for (index, (line, cuts)) in lines.into_iter().zip(cuts).enumerate() {
-        let id = RoadId::of(index);
-        let middle = line.part(cuts[0], line.length() - cuts[1]).ok_or(MapError::NoLine(id))?;
-        let first = lanes.len();
+        let (id, first) = (RoadId::of(index), lanes.len());
+        let mut road = Road { draft: draft.roads[index].clone(), line, cuts: *cuts, lanes: Vec::new() };
+        let middle = road.middle();
         for forward in [true, false] {
-            side(draft, id, forward, &middle, &mut lanes);
+            side(draft, id, forward, &middle, &mut lanes, budget)?;
         }
-        let own = (first..lanes.len()).map(LaneId::of).collect();
-        roads.push(Road { draft: draft.roads[index].clone(), line, cuts: *cuts, lanes: own });
+        road.lanes = (first..lanes.len()).map(LaneId::of).collect();
+        budget.take(id, std::slice::from_ref(&road))?;
+        roads.push(road);
     }
     Ok((roads, lanes))
 }
 
 /// The lanes of one side of a road.
-fn side(draft: &MapDraft, road: RoadId, forward: bool, middle: &Polyline, lanes: &mut Vec<Lane>) {
+fn side(
+    draft: &MapDraft,
+    road: RoadId,
+    forward: bool,
+    middle: &Polyline,
+    lanes: &mut Vec<Lane>,
+    budget: &mut Budget,
+) -> Result<(), MapError> {
     let section = &draft.roads[road.index()].section;
     let turned = if forward { 1.0 } else { -1.0 };
     let mut inner = None;
@@ -70,5 +80,7 @@ fn side(draft: &MapDraft, road: RoadId, forward: bool, middle: &Polyline, lanes:
             lanes[inner].outer = Some(id);
         }
         inner = Some(id);
+        budget.take(road, &lanes[id.index()..])?;
     }
+    Ok(())
 }

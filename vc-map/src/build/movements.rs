@@ -2,9 +2,11 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use super::budget::Budget;
+use super::targets::{Target, has, leftward, mark, straighten};
 use crate::parts::{Arm, Junction, Lane, Movement, Road, Turn};
 use crate::polyline::turn;
-use crate::{DrivingSide, JunctionId, LaneId, MapDraft, MovementId, RoadId, Turns, Users};
+use crate::{DrivingSide, JunctionId, LaneId, MapDraft, MapError, MovementId, RoadId, Turns, Users};
 
 /// Turns of less than this are straight on: its sine, for 35 degrees.
 const STRAIGHT: f64 = 0.574;
@@ -12,6 +14,8 @@ const STRAIGHT: f64 = 0.574;
 const BACK: f64 = -0.94;
 /// Trams and trains turn by less than this: its cosine, for 60 degrees.
 const SWITCH: f64 = 0.5;
+/// The most movements of a junction.
+const MOST: usize = 512;
 
 /// Fills in the movements of all junctions, and those of each lane.
 pub(super) fn movements(
@@ -19,7 +23,8 @@ pub(super) fn movements(
     junctions: &mut [Junction],
     roads: &[Road],
     lanes: &mut [Lane],
-) -> Vec<Movement> {
+    budget: &mut Budget,
+) -> Result<Vec<Movement>, MapError> {
     let mut bans: Bans = BTreeMap::new();
     for ban in &draft.bans {
         let users = bans.entry((ban.from, ban.at, ban.to)).or_default();
@@ -27,8 +32,12 @@ pub(super) fn movements(
     }
     let mut all = Vec::new();
     for (index, junction) in junctions.iter_mut().enumerate() {
-        let at = Crossroads { id: JunctionId::of(index), junction, roads, lanes, bans: &bans, side: draft.side };
-        let found = at.movements();
+        let id = JunctionId::of(index);
+        let at = Crossroads { id, junction, roads, lanes, bans: &bans, side: draft.side };
+        let found = at.movements()?;
+        // Each stands in its junction's list and in those of two lanes, which have room for four when they begin.
+        budget.take_bytes(id, 3 * 4 * found.len() * size_of::<MovementId>())?;
+        budget.take(id, &found)?;
         for movement in found {
             let id = MovementId::of(all.len());
             junction.movements.push(id);
@@ -37,7 +46,7 @@ pub(super) fn movements(
             all.push(movement);
         }
     }
-    all
+    Ok(all)
 }
 
 /// Those who may not turn, by the road that they come from, the junction and the road that they may not go on with.
@@ -52,20 +61,11 @@ struct Crossroads<'a> {
     side: DrivingSide,
 }
 
-/// An arm that one can leave by, with its direction seen from the arm that one comes from.
-struct Target {
-    arm: usize,
-    turn: Turn,
-    /// How far it turns to the left, as a number that grows with the angle, -2 to 2.
-    leftward: f64,
-}
-
 impl Crossroads<'_> {
-    fn movements(&self) -> Vec<Movement> {
+    fn movements(&self) -> Result<Vec<Movement>, MapError> {
         let mut found = Vec::new();
         let mut joined: BTreeSet<(LaneId, LaneId)> = BTreeSet::new();
         for from in 0..self.junction.arms.len() {
-            let targets = self.targets(from);
             // A way that was found for cars is one for all who may use both lanes; others are for those they were found for.
             for (users, open) in [
                 (Users::CAR, Users::TRAFFIC | Users::RAILS),
@@ -74,15 +74,19 @@ impl Crossroads<'_> {
                 (Users::TRAM, Users::TRAM),
                 (Users::TRAIN, Users::TRAIN),
             ] {
-                for (one, other, turn) in self.pairs(from, &targets, users) {
+                for (one, other, turn) in self.pairs(from, &self.targets(from, users), users) {
                     let there = found.iter().any(|known: &Movement| self.serves(known, one, other, users));
                     if !there && joined.insert((one, other)) {
                         found.extend(self.movement(one, other, turn, open));
                     }
                 }
+                if found.len() > MOST {
+                    let (part, count) = (self.id.to_string(), found.len());
+                    return Err(MapError::TooMany { part, what: "movements", count, most: MOST });
+                }
             }
         }
-        found
+        Ok(found)
     }
 
     /// Whether a movement takes some users from a lane to the road of another already; lanes of their own are always joined.
@@ -132,56 +136,34 @@ impl Crossroads<'_> {
         self.junction.draft.control != crate::Control::Edge && !others.map(|(_, arm)| arm).any(leads)
     }
 
-    /// The arms by which one can go on, from the left to the right.
-    fn targets(&self, from: usize) -> Vec<Target> {
+    /// The arms by which some users can go on, from the left to the right.
+    fn targets(&self, from: usize, users: Users) -> Vec<Target> {
         let arms = &self.junction.arms;
         let came = -arms[from].away;
         let alone = self.is_dead_end(from);
-        let mut targets: Vec<Target> = (0..arms.len())
-            .filter_map(|arm| {
-                let banned = self.banned(arms[from].road, arms[arm].road);
-                if banned.has(Users::TRAFFIC) || (arm == from && !alone) {
-                    return None;
-                }
-                let (cosine, sine) = (came.dot(&arms[arm].away), came.perp(&arms[arm].away));
-                let leftward = if cosine >= 0.0 {
-                    sine
-                } else if sine >= 0.0 {
-                    2.0 - sine
-                } else {
-                    -2.0 - sine
-                };
-                let turn = match () {
-                    () if arm == from || cosine < BACK => Turn::Back,
-                    () if cosine > 0.0 && sine.abs() < STRAIGHT => Turn::Through,
-                    () if sine > 0.0 => Turn::Left,
-                    () => Turn::Right,
-                };
-                Some(Target { arm, turn, leftward })
-            })
-            .collect();
+        let open = |arm: &usize| {
+            let banned = self.banned(arms[from].road, arms[*arm].road).any(users);
+            !banned && (*arm != from || alone) && !self.ways(&arms[*arm], false, users).is_empty()
+        };
+        let target = |arm: usize| {
+            let (cosine, sine) = (came.dot(&arms[arm].away), came.perp(&arms[arm].away));
+            let turn = match () {
+                () if arm == from || cosine < BACK => Turn::Back,
+                () if cosine > 0.0 && sine.abs() < STRAIGHT => Turn::Through,
+                () if sine > 0.0 => Turn::Left,
+                () => Turn::Right,
+            };
+            Target { arm, turn, leftward: leftward(cosine, sine) }
+        };
+        let mut targets: Vec<Target> = (0..arms.len()).filter(open).map(target).collect();
         targets.sort_by(|a, b| b.leftward.total_cmp(&a.leftward).then(a.arm.cmp(&b.arm)));
-        self.straighten(from, targets)
+        straighten(targets, self.used_arms(users) == 2)
     }
 
-    /// Where nothing goes straight on, or only back, the arm that turns least stands for it.
-    fn straighten(&self, from: usize, mut targets: Vec<Target>) -> Vec<Target> {
-        if targets.len() > 1 {
-            // One turns back only where there is nothing else.
-            let ahead = |target: &Target| target.turn != Turn::Back && !self.outgoing(target).is_empty();
-            if targets.iter().any(ahead) {
-                targets.retain(|target| target.turn != Turn::Back);
-            }
-        }
-        // A street that bends goes on.
-        if self.junction.arms.len() == 2 && targets.len() == 1 && targets[0].arm != from {
-            targets[0].turn = Turn::Through;
-        }
-        targets
-    }
-
-    fn outgoing(&self, target: &Target) -> Vec<LaneId> {
-        self.ways(&self.junction.arms[target.arm], false, Users::CAR | Users::BUS)
+    /// The number of arms that some users come in or go out by.
+    fn used_arms(&self, users: Users) -> usize {
+        let used = |arm: &&Arm| [true, false].iter().any(|incoming| !self.ways(arm, *incoming, users).is_empty());
+        self.junction.arms.iter().filter(used).count()
     }
 
     /// The pairs of lanes for some users from one arm to all others.
@@ -190,8 +172,7 @@ impl Crossroads<'_> {
         let open: Vec<(&Target, Vec<LaneId>)> = targets
             .iter()
             .map(|target| (target, self.ways(&self.junction.arms[target.arm], false, users)))
-            .filter(|(target, out)| !out.is_empty() && self.bends(from, target, users))
-            .filter(|(target, _)| !self.banned(self.road(from), self.road(target.arm)).any(users))
+            .filter(|(target, _)| self.bends(from, target, users))
             .collect();
         if incoming.is_empty() || open.is_empty() {
             return Vec::new();
@@ -203,7 +184,9 @@ impl Crossroads<'_> {
         for (target, out) in &open {
             let chosen = self.chosen(&incoming, &open, target);
             pairs.extend(
-                matched(&chosen, out, self.crosses_divider(target.turn)).into_iter().map(|(a, b)| (a, b, target.turn)),
+                matched(&chosen, out, target.turn.crosses_divider(self.side))
+                    .into_iter()
+                    .map(|(a, b)| (a, b, target.turn)),
             );
         }
         // No lane ends at a junction without a way on.
@@ -217,10 +200,6 @@ impl Crossroads<'_> {
         pairs
     }
 
-    fn road(&self, arm: usize) -> RoadId {
-        self.junction.arms[arm].road
-    }
-
     /// Whether rails can bend that much; vehicles on tyres always can.
     fn bends(&self, from: usize, target: &Target, users: Users) -> bool {
         let arms = &self.junction.arms;
@@ -230,12 +209,7 @@ impl Crossroads<'_> {
     /// The lanes from which one may go to a target: as marked, else by rule.
     fn chosen(&self, incoming: &[LaneId], open: &[(&Target, Vec<LaneId>)], target: &Target) -> Vec<LaneId> {
         let marked: Vec<Turns> = incoming.iter().map(|lane| self.lanes[lane.index()].turns).collect();
-        let flag = match target.turn {
-            Turn::Through => Turns::THROUGH,
-            Turn::Left => Turns::LEFT,
-            Turn::Right => Turns::RIGHT,
-            Turn::Back => Turns::BACK,
-        };
+        let flag = mark(&marked, open, target);
         let by_mark =
             |lanes: &mut dyn Iterator<Item = usize>| lanes.filter(|i| marked[*i].any(flag)).collect::<Vec<_>>();
         let mut picked = by_mark(&mut (0..incoming.len()));
@@ -244,20 +218,10 @@ impl Crossroads<'_> {
             picked.extend(self.by_rule(&unmarked, open, target, !picked.is_empty()));
             picked.sort_unstable();
         }
-        if picked.is_empty() && !open.iter().any(|(other, _)| self.marks(&marked, other)) {
+        if picked.is_empty() && !open.iter().any(|(other, _)| has(&marked, mark(&marked, open, other))) {
             picked = (0..incoming.len()).collect();
         }
         picked.into_iter().map(|index| incoming[index]).collect()
-    }
-
-    fn marks(&self, marked: &[Turns], target: &Target) -> bool {
-        let flag = match target.turn {
-            Turn::Through => Turns::THROUGH,
-            Turn::Left => Turns::LEFT,
-            Turn::Right => Turns::RIGHT,
-            Turn::Back => Turns::BACK,
-        };
-        marked.iter().any(|turns| turns.any(flag))
     }
 
     /// Straight on from every lane, turns from the lane on their side; without a way straight on, each side takes half.
@@ -269,7 +233,7 @@ impl Crossroads<'_> {
         has_marked: bool,
     ) -> Vec<usize> {
         let through = open.iter().any(|(other, _)| other.turn == Turn::Through);
-        let towards_divider = self.crosses_divider(target.turn);
+        let towards_divider = target.turn.crosses_divider(self.side);
         let count = lanes.len();
         match target.turn {
             Turn::Through => lanes.to_vec(),
@@ -282,11 +246,6 @@ impl Crossroads<'_> {
             _ if towards_divider => lanes[..count.div_ceil(2)].to_vec(),
             _ => lanes[count / 2..].to_vec(),
         }
-    }
-
-    /// Whether a turn leads over the divider: to the left for those who keep to the right.
-    fn crosses_divider(&self, turn: Turn) -> bool {
-        turn == Turn::Back || turn == if self.side == DrivingSide::Right { Turn::Left } else { Turn::Right }
     }
 }
 

@@ -1,16 +1,18 @@
-//! Fixed-time signals: a green phase for each pair of opposite arms, between them yellow and all red.
+//! Fixed-time signals: a green phase for each pair of opposite arms, the end of it without people, then yellow and all red.
 
+use super::budget::Budget;
 use super::conflicts::over;
 use super::yields::precedence;
 use crate::parts::{Junction, Lane, Movement, RoadCrossing};
 use crate::signal::{Light, Phase, Signal};
-use crate::{Control, JunctionId, MapDraft, SignalId, Turn, Users};
+use crate::{Control, JunctionId, MapDraft, MapError, SignalId, Turn, Users};
 
 /// The time of all phases that is aimed at, seconds.
 const CYCLE: f64 = 90.0;
-/// The shortest green, seconds.
+/// The shortest green of vehicles, and of people, seconds.
 const SHORTEST: f64 = 12.0;
-/// The speed at which people cross, metres per second.
+const SHORTEST_WALK: f64 = 7.0;
+/// The speed at which people who have begun to cross are given time to end, metres per second.
 const WALKING: f64 = 1.07;
 /// Arms whose directions have a smaller product are opposite: its cosine, for 135 degrees.
 const OPPOSITE: f64 = -0.7;
@@ -23,7 +25,8 @@ pub(super) fn signals(
     movements: &[Movement],
     crossings: &[RoadCrossing],
     lanes: &[Lane],
-) -> Vec<Signal> {
+    budget: &mut Budget,
+) -> Result<Vec<Signal>, MapError> {
     let mut signals = Vec::new();
     for (index, junction) in junctions.iter_mut().enumerate() {
         if junction.draft.control != Control::Signals || junction.movements.is_empty() {
@@ -32,10 +35,12 @@ pub(super) fn signals(
         let own = junction.movements.iter().map(|id| &movements[id.index()]).collect();
         let over = junction.crossings.iter().map(|id| &crossings[id.index()]).collect();
         let plan = Plan { draft, junction, movements: own, crossings: over, lanes };
-        signals.push(Signal { junction: JunctionId::of(index), phases: plan.phases() });
+        let id = JunctionId::of(index);
+        signals.push(Signal { junction: id, phases: plan.phases() });
         junction.signal = Some(SignalId::of(signals.len() - 1));
+        budget.take(id, &signals[signals.len() - 1..])?;
     }
-    signals
+    Ok(signals)
 }
 
 struct Plan<'a> {
@@ -48,6 +53,30 @@ struct Plan<'a> {
 
 impl Plan<'_> {
     fn phases(&self) -> Vec<Phase> {
+        let greens = self.greens();
+        if let [only] = &greens[..] {
+            return vec![Phase { seconds: CYCLE, lights: only.clone() }];
+        }
+        let (yellow, red) = self.between();
+        let share = CYCLE / greens.len() as f64 - yellow - red;
+        let phase = |seconds, lights| Phase { seconds, lights };
+        let mut phases = Vec::new();
+        for lights in greens {
+            let clearing = self.clearing(&lights, yellow + red);
+            let least = if self.people(&lights).next().is_some() { SHORTEST_WALK + clearing } else { 0.0 };
+            let green = share.max(SHORTEST).max(least).round();
+            let vehicles: Vec<Light> = self.vehicles(&lights, |light| light);
+            let ending = self.vehicles(&lights, |light| if light == Light::Red { Light::Red } else { Light::Yellow });
+            phases.push(phase(green - clearing, lights));
+            phases.extend((clearing > 0.0).then(|| phase(clearing, vehicles)));
+            phases.push(phase(yellow, ending));
+            phases.push(phase(red, vec![Light::Red; self.size()]));
+        }
+        phases
+    }
+
+    /// The lights of each green: those of the groups, and one for people who would have none.
+    fn greens(&self) -> Vec<Vec<Light>> {
         let mut greens: Vec<Vec<Light>> = self.groups().iter().map(|group| self.green(group)).collect();
         let never = |row: &usize| !greens.iter().any(|green| green[*row] != Light::Red);
         let people: Vec<usize> = (self.movements.len()..self.size()).filter(never).collect();
@@ -55,33 +84,30 @@ impl Plan<'_> {
             let lit = |row: usize| if people.contains(&row) { Light::Green } else { Light::Red };
             greens.push((0..self.size()).map(lit).collect());
         }
-        let (yellow, clearance) = self.between();
-        let share = (CYCLE - greens.len() as f64 * (yellow + clearance)) / greens.len() as f64;
-        let long = |green: &[Light]| share.max(SHORTEST).max(self.walking(green)).round();
-        let lone = greens.len() == 1;
         greens
-            .iter()
-            .flat_map(|green| {
-                let mut phases = vec![Phase { seconds: long(green), lights: green.clone() }];
-                if !lone {
-                    phases.push(Phase {
-                        seconds: yellow,
-                        lights: green.iter().enumerate().map(|(row, l)| self.ending(row, *l)).collect(),
-                    });
-                    phases.push(Phase { seconds: clearance, lights: vec![Light::Red; self.size()] });
-                }
-                phases
-            })
-            .collect()
+    }
+
+    /// The crossings that are lit.
+    fn people(&self, lights: &[Light]) -> impl Iterator<Item = &RoadCrossing> {
+        let walks = lights[self.movements.len()..].iter().map(|light| *light != Light::Red);
+        self.crossings.iter().zip(walks.collect::<Vec<_>>()).filter(|(_, walks)| *walks).map(|(crossing, _)| *crossing)
+    }
+
+    /// The time by which people's green ends before that of vehicles, seconds: who has just begun to cross is over before
+    /// others start, some time after the end of green.
+    fn clearing(&self, lights: &[Light], after: f64) -> f64 {
+        let longest = self.people(lights).map(|crossing| crossing.line.length()).fold(0.0, f64::max);
+        (longest / WALKING - after).max(0.0).ceil()
+    }
+
+    /// The lights of vehicles changed, and red for people.
+    fn vehicles(&self, lights: &[Light], change: impl Fn(Light) -> Light) -> Vec<Light> {
+        let vehicle = |row: usize| row < self.movements.len();
+        lights.iter().enumerate().map(|(row, light)| if vehicle(row) { change(*light) } else { Light::Red }).collect()
     }
 
     fn size(&self) -> usize {
         self.movements.len() + self.crossings.len()
-    }
-
-    /// After green comes yellow for vehicles; people who cross have red already.
-    fn ending(&self, row: usize, light: Light) -> Light {
-        if light == Light::Red || row >= self.movements.len() { Light::Red } else { Light::Yellow }
     }
 
     /// Yellow and all red, seconds: a second to react and the time to stop; the time to clear the junction.
@@ -90,13 +116,6 @@ impl Plan<'_> {
         let longest = self.movements.iter().map(|m| m.line.length()).fold(0.0, f64::max);
         let half = |seconds: f64| (seconds * 2.0).round() / 2.0;
         (half((1.0 + limit / 6.0).clamp(3.0, 5.0)), half(((longest + 5.0) / limit).clamp(1.0, 3.0)))
-    }
-
-    /// The time that people need in a phase, seconds.
-    fn walking(&self, green: &[Light]) -> f64 {
-        let lit = |(row, _): &(usize, &&RoadCrossing)| green[self.movements.len() + row] != Light::Red;
-        let time = |crossing: &RoadCrossing| 7.0 + crossing.line.length() / WALKING;
-        self.crossings.iter().enumerate().filter(lit).map(|(_, c)| time(c)).fold(0.0, f64::max).min(CYCLE)
     }
 
     /// The arms that have green together: opposite ones, and carriageways side by side.

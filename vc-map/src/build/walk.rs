@@ -2,19 +2,22 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use nalgebra::Vector2;
+use vc_graph::portable::Portable;
+
+use super::budget::Budget;
+use super::crossing_rule::CrossingRule;
 use crate::parts::{Arm, Junction, Lane, Road, RoadCrossing, WalkEdge, WalkKind, WalkNode};
 use crate::{
-    Control, CrossingId, CrossingKind, DrivingSide, JunctionId, LaneId, MapDraft, Polyline, RoadClass, RoadId,
-    StripKind, Users, WalkNodeId,
+    Control, CrossingId, CrossingKind, DrivingSide, JunctionId, LaneId, MapDraft, MapError, Point, Polyline, RoadClass,
+    RoadId, StripKind, Users, WalkNodeId,
 };
 
 /// Widths of crossings at streets of a higher class and of a lower one, metres.
 const WIDTHS: [f64; 2] = [4.0, 3.0];
-/// Vehicles stop this far before a crossing, and before the junction itself where there is none, metres.
-const STOP: [f64; 2] = [1.5, 1.0];
-/// People cross without marks where the carriageway is narrower than this, metres, and the limit lower, metres per second.
-const NARROW: f64 = 12.0;
-const SLOW: f64 = 14.0;
+/// A crossing begins this far from the junction, metres, and takes at most this part of a pavement.
+const BEHIND: f64 = 1.0;
+const LARGEST_PART: f64 = 0.4;
 
 pub(super) struct Network {
     pub(super) nodes: Vec<WalkNode>,
@@ -22,94 +25,148 @@ pub(super) struct Network {
     pub(super) crossings: Vec<RoadCrossing>,
 }
 
-pub(super) fn network(draft: &MapDraft, junctions: &mut [Junction], roads: &[Road], lanes: &mut [Lane]) -> Network {
-    let mut walk = Walk {
-        draft,
-        roads,
-        lanes,
-        net: Network { nodes: Vec::new(), edges: Vec::new(), crossings: Vec::new() },
-        ends: BTreeMap::new(),
-        given: BTreeMap::new(),
-    };
-    for crossing in &draft.crossings {
-        let kind = walk.given.entry((crossing.at, crossing.road)).or_insert((crossing.kind, crossing.island));
-        *kind = (kind.0.min(crossing.kind), kind.1 || crossing.island);
+impl Network {
+    /// Gives back the memory that its lists keep in reserve.
+    pub(super) fn shrink(&mut self) {
+        self.nodes.shrink_to_fit();
+        self.edges.shrink_to_fit();
+        self.crossings.shrink_to_fit();
     }
-    for (index, junction) in junctions.iter_mut().enumerate() {
-        walk.junction(JunctionId::of(index), junction);
-    }
-    walk.along_roads();
-    walk.net
 }
 
-/// The ground on which one walks along a road.
+pub(super) fn network(
+    draft: &MapDraft,
+    junctions: &mut [Junction],
+    roads: &[Road],
+    lanes: &[Lane],
+    budget: &mut Budget,
+) -> Result<Network, MapError> {
+    let net = Network { nodes: Vec::new(), edges: Vec::new(), crossings: Vec::new() };
+    let rule = CrossingRule::new(draft);
+    let mut walk = Walk { draft, roads, lanes, net, feet: Vec::new(), rule };
+    for (index, junction) in junctions.iter_mut().enumerate() {
+        let (id, edges, crossings) = (JunctionId::of(index), walk.net.edges.len(), walk.net.crossings.len());
+        walk.junction(id, junction);
+        budget.take(id, &walk.net.edges[edges..])?;
+        budget.take(id, &walk.net.crossings[crossings..])?;
+        budget.take_bytes(id, junction.crossings.capacity() * size_of::<CrossingId>())?;
+    }
+    walk.along_roads(budget)?;
+    // The lists of edges at nodes, which have room for four when they begin.
+    let lists = walk.net.nodes.len() * (size_of::<Vec<u32>>() + 16) + walk.net.edges.len() * 16;
+    budget.take("the walkable network", &walk.net.nodes)?;
+    budget.take_bytes("the walkable network", lists)?;
+    Ok(walk.net)
+}
+
+/// The strip along a road on which one walks.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-enum Ground {
+enum Footway {
     Lane(LaneId),
     Shared(RoadId),
 }
 
-/// Met on a round about a junction: an end of walkable ground, or a carriageway.
+/// The place of a node of the network: an end of a footway, or a ramp a little before it.
+#[derive(Clone, Copy)]
+struct Foot {
+    way: Footway,
+    /// Whether it is the start of the road's line.
+    start: bool,
+    /// The end of the footway.
+    end: Point,
+    /// How far it lies before the end, metres.
+    back: f64,
+}
+
+/// Two ends of footways that follow each other around a junction, and the carriageways between them.
+struct Pair {
+    ends: [WalkNodeId; 2],
+    over: Vec<RoadId>,
+    /// The angle between their arms, counter-clockwise.
+    angle: f64,
+}
+
+/// Met on a round about a junction: an end of a footway, or a carriageway.
 enum Item {
     End(WalkNodeId),
     Carriageway(RoadId),
 }
 
-/// The facts that decide on crossings at a junction.
-struct At {
-    id: JunctionId,
-    control: Control,
-    /// The number of its streets, and whether paths end there.
-    streets: usize,
-    paths: bool,
-}
-
 struct Walk<'a> {
     draft: &'a MapDraft,
     roads: &'a [Road],
-    lanes: &'a mut [Lane],
+    lanes: &'a [Lane],
     net: Network,
-    /// The nodes at the ends of walkable ground, by whether it is the start of the road.
-    ends: BTreeMap<(Ground, bool), WalkNodeId>,
-    given: BTreeMap<(JunctionId, RoadId), (CrossingKind, bool)>,
+    /// The places of the nodes.
+    feet: Vec<Foot>,
+    rule: CrossingRule<'a>,
 }
 
 impl Walk<'_> {
     fn junction(&mut self, id: JunctionId, junction: &mut Junction) {
-        let arms = junction.arms.clone();
-        let items: Vec<Item> = arms.iter().flat_map(|arm| self.items(id, arm)).collect();
-        let classes = || arms.iter().map(|arm| self.roads[arm.road.index()].draft.class);
-        let streets = classes().filter(|class| class.is_street()).count();
-        let paths = classes().any(|class| !class.is_street() && !class.is_rail());
-        let at = At { id, control: junction.draft.control, streets, paths };
-        let ends: Vec<usize> = (0..items.len()).filter(|i| matches!(items[*i], Item::End(_))).collect();
+        let at = self.rule.at(id, junction);
+        let pairs = self.pairs(id, junction);
+        let (corners, mut over): (Vec<Pair>, Vec<Pair>) = pairs.into_iter().partition(|pair| pair.over.is_empty());
+        let ends = |pair: &Pair| (pair.ends[0].min(pair.ends[1]), pair.ends[0].max(pair.ends[1]));
+        let round: BTreeSet<_> = corners.iter().map(ends).collect();
         let mut joined = BTreeSet::new();
-        let mut guessed = 0;
-        for (position, first) in ends.iter().enumerate() {
-            let next = ends[(position + 1) % ends.len()];
-            let (Item::End(from), Item::End(to)) = (&items[*first], &items[next]) else { continue };
-            let between = (first + 1..).map(|i| i % items.len()).take_while(|i| *i != next);
+        over.retain(|pair| joined.insert(ends(pair)));
+        // Those that the map has come first: where it has one, none is guessed between two roads.
+        over.sort_by_key(|pair| self.rule.given(&at, &pair.over).is_none());
+        for pair in over {
+            let known = self.rule.given(&at, &pair.over);
+            // Around a dead end one walks along its edge.
+            let first = junction.crossings.is_empty();
+            let guessed = || (!round.contains(&ends(&pair))).then(|| self.rule.guess(&at, &pair.over, first)).flatten();
+            if let Some((kind, island)) = known.or_else(guessed) {
+                self.cross(id, junction, pair, (kind, island, known.is_none()));
+            }
+        }
+        let mut joined = BTreeSet::new();
+        for corner in corners.iter().filter(|pair| joined.insert(ends(pair))) {
+            let [from, to] = corner.ends.map(|node| (self.net.nodes[node.index()].at, self.feet[node.index()].end));
+            self.link(corner.ends, WalkKind::Corner(id), [from.0, from.1, to.1, to.0]);
+        }
+    }
+
+    /// The ends of footways around a junction, each with the next one. At the edge of the map nobody walks on its outside,
+    /// which is where arms are farthest from each other.
+    fn pairs(&mut self, id: JunctionId, junction: &Junction) -> Vec<Pair> {
+        let mut items = Vec::new();
+        for arm in &junction.arms {
+            items.extend(self.items(id, arm).into_iter().map(|item| (arm.away, item)));
+        }
+        let ends: Vec<(usize, Vector2<f64>, WalkNodeId)> = items
+            .iter()
+            .enumerate()
+            .filter_map(|(place, (away, item))| match item {
+                Item::End(node) => Some((place, *away, *node)),
+                Item::Carriageway(_) => None,
+            })
+            .collect();
+        let mut pairs = Vec::new();
+        for (position, (place, away, node)) in ends.iter().enumerate() {
+            let (next, there, other) = ends[(position + 1) % ends.len()];
+            let between = (place + 1..).map(|i| i % items.len()).take_while(|i| *i != next);
             let over: Vec<RoadId> = between
-                .filter_map(|i| match items[i] {
+                .filter_map(|i| match items[i].1 {
                     Item::Carriageway(road) => Some(road),
                     Item::End(_) => None,
                 })
                 .collect();
-            let open_end = junction.draft.control == Control::Edge && position + 1 == ends.len();
-            if from == to || open_end || !joined.insert((*from.min(to), *from.max(to), over.is_empty())) {
-                continue;
-            }
-            if over.is_empty() {
-                self.link([*from, *to], WalkKind::Corner(id));
-            } else if let Some((kind, island, given)) = self.kind(&at, &over, guessed) {
-                guessed += usize::from(!given);
-                self.cross(id, junction, [*from, *to], over, (kind, island, !given));
+            if *node != other {
+                pairs.push(Pair { ends: [*node, other], over, angle: between_arms(away, &there) });
             }
         }
-        self.stop_lines(junction);
+        if junction.draft.control == Control::Edge {
+            let corners = pairs.iter().enumerate().filter(|(_, pair)| pair.over.is_empty());
+            let outer = corners.max_by(|a, b| a.1.angle.total_cmp(&b.1.angle)).map(|(position, _)| position);
+            outer.map(|position| pairs.remove(position));
+        }
+        pairs
     }
 
-    /// The end or ends of walkable ground of an arm and its carriageway, counter-clockwise.
+    /// The ends of footways of an arm and its carriageway, counter-clockwise.
     fn items(&mut self, id: JunctionId, arm: &Arm) -> Vec<Item> {
         let road = &self.roads[arm.road.index()];
         let class = road.draft.class;
@@ -120,17 +177,17 @@ impl Walk<'_> {
         let users = road.draft.section.users(true) | road.draft.section.users(false);
         let path = (!class.is_street()).then(|| self.walked(arm.road)).flatten();
         if let Some(lane) = path {
-            return vec![Item::End(self.end(id, arm, Ground::Lane(lane)))];
+            return vec![Item::End(self.end(id, arm, Footway::Lane(lane)))];
         }
         if right.is_none() && left.is_none() && users.has(Users::FOOT) {
-            return vec![Item::End(self.end(id, arm, Ground::Shared(arm.road)))];
+            return vec![Item::End(self.end(id, arm, Footway::Shared(arm.road)))];
         }
         let mut items = Vec::new();
-        items.extend(right.map(|lane| Item::End(self.end(id, arm, Ground::Lane(lane)))));
+        items.extend(right.map(|lane| Item::End(self.end(id, arm, Footway::Lane(lane)))));
         if class.is_street() || class.is_rail() {
             items.push(Item::Carriageway(arm.road));
         }
-        items.extend(left.map(|lane| Item::End(self.end(id, arm, Ground::Lane(lane)))));
+        items.extend(left.map(|lane| Item::End(self.end(id, arm, Footway::Lane(lane)))));
         items
     }
 
@@ -144,106 +201,94 @@ impl Walk<'_> {
         self.roads[road.index()].lanes.iter().copied().find(|id| self.lanes[id.index()].users.has(Users::FOOT))
     }
 
-    fn ground(&self, ground: Ground) -> (Polyline, bool) {
-        match ground {
-            Ground::Lane(id) => (self.lanes[id.index()].line.clone(), self.lanes[id.index()].forward),
-            Ground::Shared(id) => {
-                let road = &self.roads[id.index()];
-                let line = road.line.part(road.cuts[0], road.line.length() - road.cuts[1]);
-                (line.unwrap_or_else(|| road.line.clone()), true)
+    /// The line of a footway from the start of its road to the end.
+    fn line(&self, way: Footway) -> Polyline {
+        match way {
+            Footway::Lane(id) => {
+                let lane = &self.lanes[id.index()];
+                if lane.forward { lane.line.clone() } else { lane.line.reversed() }
             }
+            Footway::Shared(id) => self.roads[id.index()].middle(),
         }
     }
 
-    /// The node at an end of walkable ground.
-    fn end(&mut self, junction: JunctionId, arm: &Arm, ground: Ground) -> WalkNodeId {
-        let (line, forward) = self.ground(ground);
-        let at = if forward == arm.start { line.start() } else { line.end() };
-        let id = WalkNodeId::of(self.net.nodes.len());
+    /// The node at an end of a footway.
+    fn end(&mut self, junction: JunctionId, arm: &Arm, way: Footway) -> WalkNodeId {
+        let line = self.line(way);
+        let at = if arm.start { line.start() } else { line.end() };
         self.net.nodes.push(WalkNode { at, junction });
-        self.ends.insert((ground, arm.start), id);
-        id
+        self.feet.push(Foot { way, start: arm.start, end: at, back: 0.0 });
+        WalkNodeId::of(self.feet.len() - 1)
     }
 
-    fn link(&mut self, ends: [WalkNodeId; 2], kind: WalkKind) {
-        let [from, to] = ends.map(|id| self.net.nodes[id.index()].at);
+    fn link<const N: usize>(&mut self, ends: [WalkNodeId; 2], kind: WalkKind, points: [Point; N]) {
         // Ends at one place are joined by an edge of a centimetre.
-        let line =
-            Polyline::new([from, to]).or_else(|| Polyline::new([from, from + nalgebra::Vector2::new(0.01, 0.0)]));
+        let short = || Polyline::new([points[0], points[0] + Vector2::new(0.01, 0.0)]);
+        let line = Polyline::new(points).or_else(short);
         self.net.edges.extend(line.map(|line| WalkEdge { ends, kind, line, steps: false }));
-    }
-
-    /// How one crosses some roads here: as the map says, else by rule, or not at all.
-    fn kind(&self, at: &At, over: &[RoadId], guessed: usize) -> Option<(CrossingKind, bool, bool)> {
-        let At { id, control, streets, paths } = *at;
-        let given = over.iter().filter_map(|road| self.given.get(&(id, *road))).min();
-        if let Some((kind, island)) = given {
-            let lights = control == Control::Signals && *kind != CrossingKind::Unmarked;
-            return Some((if lights { CrossingKind::Signals } else { *kind }, *island, true));
-        }
-        let roads = || over.iter().map(|road| &self.roads[road.index()].draft);
-        let banned = roads().any(|road| road.class == RoadClass::Motorway);
-        let only_rail = roads().all(|road| road.class.is_rail());
-        if control == Control::Signals && streets > 2 && !banned {
-            return Some((CrossingKind::Signals, false, false));
-        }
-        let width: f64 = roads().map(|road| road.section.carriageway(true) + road.section.carriageway(false)).sum();
-        let fast = roads().flat_map(|road| road.section.strips()).any(|(_, strip)| strip.limit > SLOW);
-        let easy = width < NARROW && (only_rail || !fast) && !banned;
-        let enough = streets <= 2 && guessed > 0 && !only_rail;
-        // Where two streets only meet end to end, people do not cross for that.
-        let asked = streets != 2 || paths || only_rail;
-        (easy && !enough && asked).then_some((CrossingKind::Unmarked, false, false))
     }
 
     fn cross(
         &mut self,
         id: JunctionId,
         junction: &mut Junction,
-        ramps: [WalkNodeId; 2],
-        roads: Vec<RoadId>,
+        Pair { ends, over: roads, .. }: Pair,
         (kind, island, guessed): (CrossingKind, bool, bool),
     ) {
-        let crossing = CrossingId::of(self.net.crossings.len());
-        let [from, to] = ramps.map(|ramp| self.net.nodes[ramp.index()].at);
-        let Some(line) = Polyline::new([from, to]) else { return };
         let major = roads.iter().any(|road| self.roads[road.index()].draft.class <= RoadClass::Secondary);
         let width = if major { WIDTHS[0] } else { WIDTHS[1] };
-        self.net.crossings.push(RoadCrossing { junction: id, roads, kind, island, line, width, ramps, guessed });
-        junction.crossings.push(crossing);
-        self.link(ramps, WalkKind::Crossing(crossing));
-    }
-
-    /// Stop lines of the lanes that end at a junction: before its crossings, and at lights.
-    fn stop_lines(&mut self, junction: &Junction) {
-        for arm in &junction.arms {
-            let crossing = junction.crossings.iter().map(|id| &self.net.crossings[id.index()]);
-            let before = crossing.filter(|crossing| crossing.roads.contains(&arm.road)).map(|c| c.width + STOP[0]);
-            let lights = (junction.draft.control == Control::Signals).then_some(STOP[1]);
-            let Some(back) = before.reduce(f64::max).or(lights) else { continue };
-            for lane in &self.roads[arm.road.index()].lanes {
-                let lane = &mut self.lanes[lane.index()];
-                if lane.forward != arm.start && lane.users.any(Users::TRAFFIC) {
-                    lane.stop_line = Some((lane.line.length() - back).max(0.0));
-                }
-            }
+        if ends.iter().all(|node| self.is_pavement_of(*node, &roads)) {
+            ends.iter().for_each(|node| self.set_back(*node, BEHIND + width / 2.0));
         }
+        let [from, to] = ends.map(|ramp| self.net.nodes[ramp.index()].at);
+        let Some(line) = Polyline::new([from, to]) else { return };
+        let crossing = CrossingId::of(self.net.crossings.len());
+        self.net.crossings.push(RoadCrossing { junction: id, roads, kind, island, line, width, ramps: ends, guessed });
+        junction.crossings.push(crossing);
+        self.link(ends, WalkKind::Crossing(crossing), [from, to]);
     }
 
-    /// An edge along all walkable ground.
-    fn along_roads(&mut self) {
-        let starts: Vec<(Ground, WalkNodeId)> =
-            self.ends.iter().filter(|((_, start), _)| *start).map(|((ground, _), node)| (*ground, *node)).collect();
-        for (ground, from) in starts {
-            let Some(to) = self.ends.get(&(ground, false)).copied() else { continue };
-            let (line, forward) = self.ground(ground);
-            let line = if forward { line } else { line.reversed() };
-            let (kind, road) = match ground {
-                Ground::Lane(lane) => (WalkKind::Lane(lane), self.lanes[lane.index()].road),
-                Ground::Shared(road) => (WalkKind::Shared(road), road),
+    /// Whether a node lies on a pavement of one of some roads.
+    fn is_pavement_of(&self, node: WalkNodeId, roads: &[RoadId]) -> bool {
+        let Footway::Lane(lane) = self.feet[node.index()].way else { return false };
+        let lane = &self.lanes[lane.index()];
+        lane.kind == StripKind::Pavement && roads.contains(&lane.road)
+    }
+
+    /// Moves a node from the end of its footway to a ramp along it, so that crossings lie outside the junction.
+    fn set_back(&mut self, node: WalkNodeId, metres: f64) {
+        let foot = self.feet[node.index()];
+        let line = self.line(foot.way);
+        let back = metres.min(line.length() * LARGEST_PART).max(foot.back);
+        self.feet[node.index()].back = back;
+        self.net.nodes[node.index()].at = line.at(if foot.start { back } else { line.length() - back });
+    }
+
+    /// An edge along each footway.
+    fn along_roads(&mut self, budget: &mut Budget) -> Result<(), MapError> {
+        let mut ends: BTreeMap<Footway, [Option<WalkNodeId>; 2]> = BTreeMap::new();
+        for (node, foot) in self.feet.iter().enumerate() {
+            ends.entry(foot.way).or_default()[usize::from(!foot.start)] = Some(WalkNodeId::of(node));
+        }
+        for (way, ends) in ends {
+            let [Some(from), Some(to)] = ends else { continue };
+            let line = self.line(way);
+            let [start, end] = [from, to].map(|node| self.feet[node.index()].back);
+            let line = line.part(start, line.length() - end).unwrap_or(line);
+            let (kind, road) = match way {
+                Footway::Lane(lane) => (WalkKind::Lane(lane), self.lanes[lane.index()].road),
+                Footway::Shared(road) => (WalkKind::Shared(road), road),
             };
             let steps = self.roads[road.index()].draft.class == RoadClass::Steps;
             self.net.edges.push(WalkEdge { ends: [from, to], kind, line, steps });
+            budget.take(road, &self.net.edges[self.net.edges.len() - 1..])?;
         }
+        Ok(())
     }
+}
+
+/// The angle from one arm to another, counter-clockwise; a whole turn from an arm to itself.
+fn between_arms(from: &Vector2<f64>, to: &Vector2<f64>) -> f64 {
+    let angle = from.perp(to).angle_to(from.dot(to));
+    if angle > 0.0 { angle } else { angle + std::f64::consts::TAU }
 }

@@ -1,56 +1,84 @@
 //! Right of way at junctions without lights.
 
-use crate::parts::{Junction, Lane, Movement, Road, Turn};
-use crate::{DrivingSide, MapDraft};
+use std::cmp::Ordering;
 
-/// Fills in to whom each movement gives way: who conflicts and comes along a roundabout, from rails or a road of a higher
-/// class, or straight on while one turns; among equals, whoever comes from the right.
+use super::budget::Budget;
+use crate::parts::{Junction, Lane, Movement, Road, Turn};
+use crate::{DrivingSide, JunctionId, MapDraft, MapError};
+
+/// Those who come from directions with a product beyond these come towards each other, or side by side: the cosines of 135
+/// degrees and of 17.
+const ONCOMING: f64 = -0.7;
+const BESIDE: f64 = 0.955;
+
+/// Fills in to whom each movement gives way: to who conflicts and comes along a roundabout, from rails, from a road of a
+/// higher class, or from one that is no slip road. Among equals those who turn give way to oncoming traffic, and all others to
+/// whom comes from the right.
 pub(super) fn yields(
     draft: &MapDraft,
     junctions: &[Junction],
     roads: &[Road],
     lanes: &[Lane],
     movements: &mut [Movement],
-) {
-    for junction in junctions {
-        for (position, id) in junction.movements.iter().enumerate() {
+    budget: &mut Budget,
+) -> Result<(), MapError> {
+    let rule = Rule { side: draft.side, roads, lanes };
+    for (index, junction) in junctions.iter().enumerate() {
+        let own = |position: usize| junction.movements[position].index();
+        let count = junction.movements.len();
+        for position in 0..count {
             let goes_first = |other: &usize| {
-                let theirs = &movements[junction.movements[*other].index()];
-                junction.conflicts.has(position, *other) && first(draft, roads, lanes, theirs, &movements[id.index()])
+                let before = || rule.order(&movements[own(*other)], &movements[own(position)]) == Ordering::Less;
+                junction.conflicts.has(position, *other) && before()
             };
-            let to = (0..junction.movements.len()).filter(goes_first).filter_map(|other| u16::try_from(other).ok());
-            let to: Vec<u16> = to.collect();
-            movements[id.index()].yields = to;
+            let to: Vec<u32> = (0..count).filter(goes_first).map(|other| other as u32).collect();
+            budget.take_bytes(JunctionId::of(index), to.capacity() * size_of::<u32>())?;
+            movements[own(position)].yields = to;
         }
     }
+    Ok(())
 }
 
-/// Whether the first of two movements goes before the second. Exactly one of two does.
-fn first(draft: &MapDraft, roads: &[Road], lanes: &[Lane], one: &Movement, other: &Movement) -> bool {
-    let key = |movement: &Movement| {
-        let road = &roads[lanes[movement.from.index()].road.index()].draft;
-        let rank = if road.class.is_rail() { u8::MAX } else { road.class.rank() };
-        (road.roundabout, rank, precedence(movement.turn, draft.side))
-    };
-    if key(one) != key(other) {
-        return key(one) > key(other);
+struct Rule<'a> {
+    side: DrivingSide,
+    roads: &'a [Road],
+    lanes: &'a [Lane],
+}
+
+impl Rule<'_> {
+    /// The order in which two movements go.
+    fn order(&self, one: &Movement, other: &Movement) -> Ordering {
+        let [mine, theirs] = [one, other].map(|movement| movement.line.direction(0.0));
+        let product = mine.dot(&theirs);
+        let from_right = theirs.perp(&mine);
+        let turns = || self.key(other.turn).cmp(&self.key(one.turn));
+        let among_equals = || match () {
+            () if one.turn == Turn::Back || other.turn == Turn::Back => turns(),
+            () if !(ONCOMING..=BESIDE).contains(&product) => turns(),
+            () if from_right > 0.0 => Ordering::Less,
+            () => Ordering::Greater,
+        };
+        self.rank(other).cmp(&self.rank(one)).then_with(among_equals).then(one.from.cmp(&other.from))
     }
-    let (mine, theirs) = (arriving(one), arriving(other));
-    let from_right = theirs.perp(&mine);
-    if from_right.abs() < 0.3 { one.from < other.from } else { from_right > 0.0 }
+
+    /// How important the road is from which a movement comes.
+    fn rank(&self, movement: &Movement) -> (bool, u8, bool) {
+        let road = &self.roads[self.lanes[movement.from.index()].road.index()].draft;
+        let class = if road.class.is_rail() { u8::MAX } else { road.class.rank() };
+        (road.roundabout, class, !road.slip)
+    }
+
+    fn key(&self, turn: Turn) -> u8 {
+        precedence(turn, self.side)
+    }
 }
 
 /// Straight on before a turn on one's own side, before a turn over the other side.
 pub(super) fn precedence(turn: Turn, side: DrivingSide) -> u8 {
-    let near = if side == DrivingSide::Right { Turn::Right } else { Turn::Left };
     match turn {
         Turn::Through => 3,
-        turn if turn == near => 2,
         Turn::Back => 0,
-        _ => 1,
+        turn if turn.crosses_divider(side) => 1,
+        _ => 2,
     }
-}
-
-fn arriving(movement: &Movement) -> nalgebra::Vector2<f64> {
-    movement.line.direction(0.0)
 }

@@ -1,18 +1,18 @@
 //! The skeleton of places: streets, parks, buildings and their doors as a scene, which the thesis's JSON can carry.
 //!
-//! Streets and parks are rooms; buildings, doors and stops are things in the nearest of them. Poses are those of the map, so
+//! Streets and parks are rooms; buildings, doors and stops of buses and trams are things in the nearest of them. Poses are those of the map, so
 //! that only maps of a few kilometres are as exact as a centimetre in them.
-
-use std::collections::BTreeMap;
 
 use vc_graph::format::thesis;
 use vc_graph::nalgebra::Vector3;
 use vc_graph::{Bounds, BoundsFrame, Draft, EditError, NodeId, Pose, SceneBuilder, SceneGraph};
 
+use crate::index::PointIndex;
 use crate::{AreaKind, Point, StopKind, StreetMap};
 
 /// The scene of a map's places: a room for each named street and each green area, in them the buildings with their doors,
-/// and stops. A map without named streets has one room.
+/// and stops of buses and trams; for those of trains there is no class. A map without named streets has one room. Costs a
+/// look-up among the rooms for each thing.
 ///
 /// ```
 /// use vc_map::format::skeleton;
@@ -29,14 +29,19 @@ use crate::{AreaKind, Point, StopKind, StreetMap};
 pub fn scene(map: &StreetMap) -> Result<SceneGraph, EditError> {
     let mut scene = SceneBuilder::new(map.name());
     let rooms = rooms(map, &mut scene)?;
+    let index = PointIndex::of_points(rooms.iter().map(|(at, _)| at));
     let nearest = |at: &Point| {
-        let by = |(other, _): &&(Point, NodeId)| (other - at).norm();
-        rooms.iter().min_by(|a, b| by(a).total_cmp(&by(b))).map(|(_, id)| *id)
+        let mut best: Option<(f64, u32)> = None;
+        index.around(at, f64::INFINITY, |room| {
+            let found = ((rooms[room as usize].0 - at).norm(), room);
+            best = Some(best.filter(|known| *known <= found).unwrap_or(found));
+            best.map_or(f64::INFINITY, |(away, _)| away)
+        });
+        best.map(|(_, room)| rooms[room as usize].1)
     };
-    let mut nodes = Vec::new();
     for building in map.buildings() {
         let (middle, half) = middle(&building.outline);
-        let height = (building.height - building.base) as f32;
+        let height = (building.height - building.base).max(0.0) as f32;
         let mut draft = Draft::new("building").at(pose(&middle, building.base)).bounds(Bounds {
             offset: Vector3::new(0.0, 0.0, height / 2.0),
             half: Vector3::new(half[0] as f32, half[1] as f32, height / 2.0),
@@ -45,20 +50,24 @@ pub fn scene(map: &StreetMap) -> Result<SceneGraph, EditError> {
         if let Some(name) = building.name.as_ref().or(building.address.as_ref()) {
             draft = draft.named(name.as_str());
         }
-        let street = nearest(&middle);
-        nodes.push(match street {
-            Some(room) => scene.add_in(room, draft)?,
-            None => scene.add(draft)?,
-        });
+        if let Some(room) = nearest(&middle) {
+            scene.add_in(room, draft)?;
+        }
     }
     for entrance in map.entrances() {
         if let Some(room) = nearest(&entrance.door) {
             scene.add_in(room, Draft::new("door").at(pose(&entrance.door, 0.0)))?;
         }
     }
-    for stop in map.stops().iter().filter(|stop| stop.kind == StopKind::Bus) {
+    // A shelter beside the street is of one class, whether for buses or for trams.
+    for stop in map.stops().iter().filter(|stop| stop.kind != StopKind::Train) {
+        let draft = Draft::new("bus_stop").at(pose(&stop.at, 0.0));
+        let draft = match &stop.name {
+            Some(name) => draft.named(name.as_str()),
+            None => draft,
+        };
         if let Some(room) = nearest(&stop.at) {
-            scene.add_in(room, Draft::new("bus_stop").at(pose(&stop.at, 0.0)))?;
+            scene.add_in(room, draft)?;
         }
     }
     Ok(scene.build())
@@ -74,16 +83,8 @@ pub fn write(map: &StreetMap) -> Result<String, EditError> {
 
 /// A room for each street name, in the middle of its longest road, and for each green area.
 fn rooms(map: &StreetMap, scene: &mut SceneBuilder) -> Result<Vec<(Point, NodeId)>, EditError> {
-    let mut streets: BTreeMap<&str, &crate::Road> = BTreeMap::new();
-    for road in map.roads() {
-        let Some(name) = road.draft.name.as_deref() else { continue };
-        let longest = streets.entry(name).or_insert(road);
-        if road.line.length() > longest.line.length() {
-            *longest = road;
-        }
-    }
     let mut rooms = Vec::new();
-    for (name, road) in streets {
+    for (name, road) in map.named() {
         let at = road.line.at(road.line.length() / 2.0);
         rooms.push((at, scene.add(Draft::new("street").named(name).at(pose(&at, 0.0)))?));
     }

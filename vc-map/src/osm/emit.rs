@@ -106,6 +106,7 @@ impl Emitter<'_> {
             layer: street.layer,
             structure: street.structure,
             roundabout: street.roundabout,
+            slip: street.slip,
             private: street.private,
             source: piece.ways.clone(),
         });

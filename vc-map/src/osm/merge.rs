@@ -1,6 +1,6 @@
 //! Pieces that go on alike, as one.
 
-use super::network::{LONGEST, Network, Piece};
+use super::network::{Network, Piece};
 use crate::RoadClass;
 
 impl Network<'_> {
@@ -36,7 +36,7 @@ impl Network<'_> {
         };
         let closed = [a, b].iter().any(|piece| piece.first() == piece.last())
             || self.pieces[before].as_ref()?.first() == self.pieces[after].as_ref()?.last();
-        (self.is_alike(a, b) && !closed && a.length + b.length <= LONGEST).then_some((before, after))
+        (self.is_alike(a, b) && !closed).then_some((before, after))
     }
 
     fn is_alike(&self, one: &Piece, other: &Piece) -> bool {
@@ -47,6 +47,7 @@ impl Network<'_> {
             && (a.structure == b.structure || a.class >= RoadClass::Path)
             && a.name == b.name
             && a.roundabout == b.roundabout
+            && a.slip == b.slip
             && a.private == b.private
     }
 }

@@ -12,8 +12,6 @@ use crate::{DrivingSide, Point, Polyline, Structure, Users};
 const MOST: usize = 12;
 /// Nodes at which ways end are at the edge if the file's bounds are this near, metres.
 const EDGE: f64 = 15.0;
-/// No road is longer, metres.
-pub(super) const LONGEST: f64 = 9e4;
 
 /// A stretch of a way between two nodes at which something happens.
 #[derive(Debug, Clone)]
@@ -164,9 +162,6 @@ impl<'a> Network<'a> {
     fn add(&mut self, part: &Part, nodes: &[u32], report: &mut ImportReport) {
         let mut drop = |reason| report.drop(Element::Way(part.way), reason);
         let Some(line) = self.line(nodes) else { return drop(Reason::NoShape) };
-        if line.length() > LONGEST {
-            return drop(Reason::TooFar);
-        }
         let full = |node: &u32| self.at.get(node).is_some_and(|pieces| pieces.len() >= MOST);
         let piece = Piece { ways: vec![part.way], street: part.street, nodes: nodes.to_vec(), length: line.length() };
         if piece.ends().iter().any(full) {

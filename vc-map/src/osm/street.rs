@@ -15,6 +15,7 @@ pub(super) struct Street {
     pub(super) layer: i8,
     pub(super) structure: Structure,
     pub(super) roundabout: bool,
+    pub(super) slip: bool,
     pub(super) private: bool,
     /// Whether its nodes are in the order against its direction.
     pub(super) reversed: bool,
@@ -174,6 +175,7 @@ pub(super) fn street(
         layer,
         structure,
         roundabout,
+        slip,
         private: tags.is("access", "private|customers|delivery|permit")
             || tags.is("motor_vehicle", "private|destination"),
         reversed,

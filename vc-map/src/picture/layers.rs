@@ -82,7 +82,7 @@ fn road(map: &StreetMap, drawing: &mut Drawing, id: RoadId) {
         return;
     }
     let section = &road.draft.section;
-    let width = section.carriageway(true) + section.carriageway(false) + section.median;
+    let width = section.surface();
     if road.draft.structure == Structure::Bridge {
         // The middle of everything, pavements included, lies aside from that of the carriageway.
         let aside = (section.side_width(true) - section.side_width(false)) / 2.0 - section.shift();

@@ -1,12 +1,11 @@
 //! Lines on roads, crossings, signals, names.
 
-use std::collections::BTreeMap;
-
 use super::legend::{MARK, SIGNAL};
 use super::{Drawing, Text, layers::square};
+use crate::polyline::normal;
 use crate::{CrossingKind, LaneId, StreetMap, StripKind, Users};
 
-/// The width of lines and the lengths of dashes and gaps, metres (B3 of the note on places).
+/// The width of lines and the lengths of dashes and gaps, metres, as German rules for towns have them (RMS-1).
 const LINE: f64 = 0.15;
 const DASH: [f64; 2] = [2.0, 4.0];
 /// Bars of zebras and the gaps between them, metres.
@@ -19,9 +18,8 @@ pub(super) fn roads(map: &StreetMap, drawing: &mut Drawing, layer: i8) {
         else {
             continue;
         };
-        let inside = if lane.forward == (map.side() == crate::DrivingSide::Right) { 1.0 } else { -1.0 };
-        let inside = if lane.forward { inside } else { -inside };
-        let edge = lane.line.offset(inside * lane.width / 2.0);
+        // The inner edge is to the left of those who drive on the right.
+        let edge = lane.line.offset(map.side().sign() * lane.width / 2.0);
         let drives = |id: LaneId| map.lane(id).is_some_and(|lane| lane.kind == StripKind::Driving);
         let both = !road.draft.section.forward.is_empty() && road.draft.section.users(false).any(Users::TRAFFIC);
         if lane.inner.is_some_and(drives) || (lane.forward && lane.index == 0 && both) {
@@ -29,7 +27,7 @@ pub(super) fn roads(map: &StreetMap, drawing: &mut Drawing, layer: i8) {
         }
         if let Some(at) = lane.stop_line.filter(|at| *at > 0.5) {
             let (point, along) = (lane.line.at(at), lane.line.direction(at));
-            let across = nalgebra::Vector2::new(-along.y, along.x) * (lane.width / 2.0);
+            let across = normal(along) * (lane.width / 2.0);
             drawing.line(MARK, 0.3, &[point - across, point + across]);
         }
     }
@@ -52,37 +50,23 @@ pub(super) fn crossings(map: &StreetMap, drawing: &mut Drawing) {
 
 /// A red square beside each lane that has lights.
 pub(super) fn signals(map: &StreetMap, drawing: &mut Drawing) {
-    for junction in map.junctions().iter().filter(|junction| junction.signal.is_some()) {
-        let mut lanes: Vec<LaneId> =
-            junction.movements.iter().filter_map(|id| map.movement(*id)).map(|m| m.from).collect();
-        lanes.sort_unstable();
-        lanes.dedup();
-        for lane in lanes.into_iter().filter_map(|id| map.lane(id)).filter(|lane| lane.users.any(Users::TRAFFIC)) {
-            let at = lane.line.at(lane.stop_line.unwrap_or(lane.line.length()));
-            drawing.fill(SIGNAL, vec![square(&at, 0.7)]);
-        }
+    let lanes = map.junctions().iter().flat_map(|junction| map.lit_lanes(junction)).filter_map(|id| map.lane(id));
+    for lane in lanes.filter(|lane| lane.users.any(Users::TRAFFIC)) {
+        let at = lane.line.at(lane.stop_line.unwrap_or(lane.line.length()));
+        drawing.fill(SIGNAL, vec![square(&at, 0.7)]);
     }
 }
 
 /// The name of each street along its longest road.
 pub(super) fn names(map: &StreetMap, drawing: &mut Drawing) {
-    let mut longest: BTreeMap<&str, &crate::Road> = BTreeMap::new();
-    for road in map.roads().iter().filter(|road| !road.draft.class.is_rail()) {
-        if let Some(name) = road.draft.name.as_deref() {
-            let known = longest.entry(name).or_insert(road);
-            if road.line.length() > known.line.length() {
-                *known = road;
-            }
-        }
-    }
-    for (name, road) in longest.into_iter().filter(|(_, road)| road.line.length() > 25.0) {
+    for (name, road) in map.named().into_iter().filter(|(_, road)| road.line.length() > 25.0) {
         let middle = road.line.length() / 2.0;
         let along = road.line.direction(middle);
         let along = if along.x < 0.0 { -along } else { along };
         let heading = vc_graph::portable::Portable::angle_to(along.y, along.x);
         let size = 3.2;
         // The base line lies a little below the middle of the road.
-        let at = road.line.at(middle) - nalgebra::Vector2::new(-along.y, along.x) * (0.35 * size);
+        let at = road.line.at(middle) - normal(along) * (0.35 * size);
         drawing.texts.push(Text { at, heading, size, colour: [20, 20, 24], text: name.to_owned() });
     }
 }

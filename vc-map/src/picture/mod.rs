@@ -99,7 +99,25 @@ impl Drawing {
         Self::within(map, [low - margin, high + margin])
     }
 
-    /// The drawing of a part of a map, between two corners.
+    /// The drawing of a part of a map, between two corners. Costs a drawing of the whole.
+    ///
+    /// ```
+    /// # use vc_map::picture::Drawing;
+    /// # use vc_map::{Control, CrossSection, MapDraft, RoadClass, Strip};
+    /// # let mut draft = MapDraft::new("streets", 48.1, 11.6);
+    /// # for y in [0.0, 500.0] {
+    /// #     let ends = [[0.0, y], [100.0, y]].map(|at| draft.junction(at, Control::Priority));
+    /// #     let section = CrossSection { forward: vec![Strip::driving(3.0, 8.3)], ..CrossSection::default() };
+    /// #     draft.road(ends[0], ends[1], RoadClass::Residential, section);
+    /// # }
+    /// # let map = draft.build()?; // two streets, 500 m apart
+    /// let part = Drawing::within(&map, [[-10.0, -10.0].into(), [110.0, 90.0].into()]);
+    /// assert!(part.shapes.len() < Drawing::of(&map).shapes.len());
+    /// // Pixels are counted from the upper left corner, here two for a metre.
+    /// assert_eq!(part.pixel(&[0.0, 0.0].into(), 2.0), [20.0, 180.0]);
+    /// assert!(part.svg(2.0).contains(r#"width="240.0" height="200.0""#));
+    /// # Ok::<(), vc_map::MapError>(())
+    /// ```
     pub fn within(map: &StreetMap, bounds: [Point; 2]) -> Self {
         let mut drawing = Self {
             bounds,

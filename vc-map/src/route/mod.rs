@@ -28,6 +28,8 @@ mod landmarks;
 mod network;
 mod search;
 
+use std::fmt;
+
 use graph::Graph;
 use network::Ground;
 
@@ -38,6 +40,7 @@ const NEAR: f64 = 200.0;
 
 /// How somebody travels.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[non_exhaustive]
 pub enum Mode {
     /// By car.
     Car,
@@ -45,6 +48,16 @@ pub enum Mode {
     Bicycle,
     /// On foot.
     Foot,
+}
+
+impl fmt::Display for Mode {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Car => "by car",
+            Self::Bicycle => "by bicycle",
+            Self::Foot => "on foot",
+        })
+    }
 }
 
 /// A part of a route.
@@ -73,6 +86,9 @@ pub struct Route {
 
 /// Finds the fastest routes of one mode on a map: an A* search with landmarks (Goldberg and Harrelson, 2005). Making it
 /// costs sixteen searches over the whole map.
+///
+/// Vehicles enter private roads only where they start or end, or where there is no other way within ten minutes; cars do the
+/// same with service roads and tracks. People walk wherever they may.
 #[derive(Debug)]
 pub struct Router {
     map: StreetMap,
@@ -101,7 +117,26 @@ impl Router {
         self.between(start, end, [None, Some(door)])
     }
 
-    /// The fastest way on foot from a door to a door.
+    /// The fastest way on foot from a door to a door. `None` for other modes and without a way.
+    ///
+    /// ```
+    /// # use vc_map::route::{Mode, Router};
+    /// # use vc_map::{Building, BuildingId, Control, CrossSection, EntranceDraft, EntranceId, MapDraft, RoadClass, Strip};
+    /// # let mut draft = MapDraft::new("street", 48.1, 11.6);
+    /// # let ends = [[0.0, 0.0], [200.0, 0.0]].map(|at| draft.junction(at, Control::Priority));
+    /// # let side = vec![Strip::driving(3.0, 10.0), Strip::pavement(2.0)];
+    /// # let section = CrossSection { forward: side.clone(), backward: side, median: 0.0 };
+    /// # draft.road(ends[0], ends[1], RoadClass::Residential, section);
+    /// # for x in [50.0, 150.0] {
+    /// #     draft.buildings.push(Building::new(vec![[x, 6.0], [x + 9.0, 6.0], [x, 16.0]], 3));
+    /// #     let building = BuildingId(draft.buildings.len() as u32 - 1);
+    /// #     draft.entrances.push(EntranceDraft { building, at: [x, 6.0], kind: "main".into(), source: 0 });
+    /// # }
+    /// # let map = draft.build()?; // a street with two houses on one side, 100 m from each other
+    /// let walk = Router::new(&map, Mode::Foot).between_entrances(EntranceId(0), EntranceId(1)).ok_or("no way")?;
+    /// assert_eq!(walk.metres, 104.0);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn between_entrances(&self, from: EntranceId, to: EntranceId) -> Option<Route> {
         let ((start, first), (end, last)) = (self.door(from)?, self.door(to)?);
         self.between(start, end, [Some(first), Some(last)])

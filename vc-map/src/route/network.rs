@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::graph::{Cost, Graph};
 use super::{Leg, Mode, Route};
 use crate::parts::{Lane, Movement};
-use crate::{Control, CrossingKind, Light, Point, Polyline, RoadId, StreetMap, Turn, Users, WalkEdgeId, WalkKind};
+use crate::{Control, CrossingKind, Light, Point, Polyline, RoadId, StreetMap, Users, WalkEdgeId, WalkKind};
 
 /// Speeds on foot and by bicycle, metres per second.
 const WALKING: f64 = 1.34;
@@ -15,6 +15,9 @@ const TURNING: f64 = 5.0;
 const CROSSING: f64 = 3.0;
 /// How much longer steps take than level ground.
 const STEPS: f64 = 1.6;
+/// The time that one would rather lose than drive through where only those may go who have something to do there, seconds.
+/// Whoever ends there enters once on every way.
+const ENTERING: f64 = 600.0;
 
 /// A place on an item of the ground: a side of a road or an edge.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -39,6 +42,8 @@ pub(super) struct Side {
     length: f64,
     speed: f64,
     line: Polyline,
+    /// Whether one drives through.
+    open: bool,
 }
 
 fn cost(seconds: f64) -> Cost {
@@ -54,42 +59,52 @@ pub(super) fn network(map: &StreetMap, mode: Mode) -> (Ground, Graph) {
 }
 
 fn driving(map: &StreetMap, users: Users) -> (Ground, Graph) {
-    let mut sides: Vec<Side> = Vec::new();
-    let mut of = BTreeMap::new();
+    let (sides, of) = sides(map, users);
+    let mut edges = Vec::new();
+    let rows = map.junctions().iter().flat_map(|junction| junction.movements.iter().enumerate());
+    for (row, movement) in rows.filter_map(|(row, id)| Some((row, map.movement(*id)?))) {
+        let side = |lane| map.lane(lane).and_then(|lane| of.get(&(lane.road, lane.forward)).copied());
+        let (Some(from), Some(to)) = (side(movement.from), side(movement.to)) else { continue };
+        if movement.users.has(users) {
+            let metres = movement.line.length() + sides[to].length;
+            let seconds = metres / sides[to].speed + waiting(map, movement, row) + entering(&sides[from], &sides[to]);
+            edges.push((from as u32, to as u32, cost(seconds)));
+        }
+    }
+    let places: Vec<Point> = sides.iter().map(|side| side.line.end()).collect();
+    (Ground::Sides { users, sides, of }, Graph::new(&places, edges))
+}
+
+/// The sides of roads with a lane for some users, and their positions.
+fn sides(map: &StreetMap, users: Users) -> (Vec<Side>, BTreeMap<(RoadId, bool), usize>) {
+    let (mut sides, mut of): (Vec<Side>, _) = (Vec::new(), BTreeMap::new());
     for lane in map.lanes().iter().filter(|lane| lane.users.has(users)) {
         let speed = if users == Users::BICYCLE { CYCLING.min(lane.limit) } else { lane.limit };
+        let through = |road: &crate::RoadDraft| !road.private && (users == Users::BICYCLE || road.class.is_through());
         let index = *of.entry((lane.road, lane.forward)).or_insert_with(|| {
+            let open = map.road(lane.road).is_some_and(|road| through(&road.draft));
             let (road, forward, line) = (lane.road, lane.forward, lane.line.clone());
-            sides.push(Side { road, forward, length: line.length(), speed, line });
+            sides.push(Side { road, forward, length: line.length(), speed, line, open });
             sides.len() - 1
         });
         // The outermost lane stands for its side.
         let side = &mut sides[index];
         (side.speed, side.line, side.length) = (side.speed.max(speed), lane.line.clone(), lane.line.length());
     }
-    let mut edges = Vec::new();
-    let rows = map.junctions().iter().flat_map(|junction| junction.movements.iter().enumerate());
-    for (row, movement) in rows.filter_map(|(row, id)| Some((row, map.movement(*id)?))) {
-        if !movement.users.has(users) {
-            continue;
-        }
-        let side = |lane| map.lane(lane).and_then(|lane| of.get(&(lane.road, lane.forward)).copied());
-        let (Some(from), Some(to)) = (side(movement.from), side(movement.to)) else { continue };
-        let inside = movement.line.length() / sides[to].speed;
-        let seconds = inside + waiting(map, movement, row) + sides[to].length / sides[to].speed;
-        edges.push((from as u32, to as u32, cost(seconds)));
-    }
-    let places: Vec<Point> = sides.iter().map(|side| side.line.end()).collect();
-    (Ground::Sides { users, sides, of }, Graph::new(&places, edges))
+    (sides, of)
+}
+
+/// The time that entering a side is taken to cost.
+fn entering(from: &Side, to: &Side) -> f64 {
+    if from.open && !to.open { ENTERING } else { 0.0 }
 }
 
 /// The time that one loses at a junction: half of red, and turning over the other side.
 fn waiting(map: &StreetMap, movement: &Movement, row: usize) -> f64 {
     let junction = map.junction(movement.junction);
     let red = half_red(map, movement.junction, row);
-    let near = if map.side() == crate::DrivingSide::Right { Turn::Right } else { Turn::Left };
     let all_stop = junction.is_some_and(|junction| junction.draft.control == Control::AllWayStop);
-    let turning = if movement.turn == Turn::Through || movement.turn == near { 0.0 } else { TURNING };
+    let turning = if movement.turn.crosses_divider(map.side()) { TURNING } else { 0.0 };
     red + turning + if all_stop { CROSSING } else { 0.0 }
 }
 
@@ -199,61 +214,76 @@ impl Ground {
         (cost, nodes): (Cost, Vec<u32>),
         doors: [Option<Point>; 2],
     ) -> Option<Route> {
-        let mut line: Vec<Point> = doors[0].into_iter().collect();
-        let mut legs = Vec::new();
-        let mut seconds = f64::from(cost) / 1000.0;
-        match self {
-            Self::Sides { sides, .. } => {
-                let items: Vec<usize> =
-                    if nodes.is_empty() { vec![start.item] } else { nodes.iter().map(|n| *n as usize).collect() };
-                for (index, item) in items.iter().enumerate() {
-                    let side = &sides[*item];
-                    let from = if index == 0 { start.station } else { 0.0 };
-                    let to = if index + 1 == items.len() { end.station } else { side.length };
-                    legs.push(Leg::Road(side.road, side.forward));
-                    push(&mut line, &side.line, from, to);
-                }
-                if !nodes.is_empty() {
-                    let last = &sides[end.item];
-                    seconds = (seconds - (last.length - end.station).max(0.0) / last.speed).max(0.0);
-                }
+        let mut way = Way { line: doors[0].into_iter().collect(), legs: Vec::new() };
+        let seconds = f64::from(cost) / 1000.0;
+        let seconds = match self {
+            Self::Sides { sides, .. } => seconds - way.drive(sides, start, end, &nodes),
+            Self::Edges { costs, .. } => {
+                way.walk(map, costs, start, end, &nodes);
+                seconds
             }
-            Self::Edges { .. } => walk(map, start, end, &nodes, &mut line, &mut legs),
-        }
+        };
+        let Way { mut line, legs } = way;
         line.extend(doors[1]);
         let at = line.first().copied()?;
         // Start and end may be one place.
         let line = Polyline::new(line).or_else(|| Polyline::new([at, at + nalgebra::Vector2::new(0.01, 0.0)]))?;
-        Some(Route { legs, metres: line.length(), line, seconds })
+        Some(Route { legs, metres: line.length(), line, seconds: seconds.max(0.0) })
     }
 }
 
-fn push(line: &mut Vec<Point>, part: &Polyline, from: f64, to: f64) {
-    match part.part(from.min(to), from.max(to)) {
-        Some(part) if from <= to => line.extend(part.points()),
-        Some(part) => line.extend(part.points().iter().rev()),
-        None => line.push(part.at(to)),
-    }
+/// A way that is put together.
+struct Way {
+    line: Vec<Point>,
+    legs: Vec<Leg>,
 }
 
-fn walk(map: &StreetMap, start: Place, end: Place, nodes: &[u32], line: &mut Vec<Point>, legs: &mut Vec<Leg>) {
-    let edges = map.walk_edges();
-    let mut along = |item: usize, from: f64, to: f64| {
-        legs.push(Leg::Walk(WalkEdgeId::of(item), from <= to));
-        push(line, &edges[item].line, from, to);
-    };
-    let (Some(first), Some(last)) = (nodes.first(), nodes.last()) else {
-        return along(start.item, start.station, end.station);
-    };
-    let at = |item: usize, node: u32| if edges[item].ends[0].0 == node { 0.0 } else { edges[item].line.length() };
-    along(start.item, start.station, at(start.item, *first));
-    for pair in nodes.windows(2) {
-        let joins = |id: &&WalkEdgeId| edges[id.index()].ends.iter().any(|node| node.0 == pair[1]);
-        let between = map.walk_edges_at(crate::WalkNodeId(pair[0])).iter().filter(joins);
-        let shortest = between.min_by(|a, b| edges[a.index()].line.length().total_cmp(&edges[b.index()].line.length()));
-        if let Some(id) = shortest {
-            along(id.index(), at(id.index(), pair[0]), at(id.index(), pair[1]));
+impl Way {
+    /// Adds a part of a line, backward if it ends before it begins.
+    fn push(&mut self, of: &Polyline, from: f64, to: f64) {
+        match of.part(from.min(to), from.max(to)) {
+            Some(part) if from <= to => self.line.extend(part.points()),
+            Some(part) => self.line.extend(part.points().iter().rev()),
+            None => self.line.push(of.at(to)),
         }
     }
-    along(end.item, at(end.item, *last), end.station);
+
+    /// Adds the sides of roads, and tells how many seconds of the cost are none of the way's time: those behind the end, and
+    /// those for entering.
+    fn drive(&mut self, sides: &[Side], start: Place, end: Place, nodes: &[u32]) -> f64 {
+        let items: Vec<usize> =
+            if nodes.is_empty() { vec![start.item] } else { nodes.iter().map(|node| *node as usize).collect() };
+        for (index, item) in items.iter().enumerate() {
+            let side = &sides[*item];
+            let from = if index == 0 { start.station } else { 0.0 };
+            let to = if index + 1 == items.len() { end.station } else { side.length };
+            self.legs.push(Leg::Road(side.road, side.forward));
+            self.push(&side.line, from, to);
+        }
+        let last = &sides[end.item];
+        let behind = if nodes.is_empty() { 0.0 } else { (last.length - end.station).max(0.0) / last.speed };
+        behind + items.windows(2).map(|pair| entering(&sides[pair[0]], &sides[pair[1]])).sum::<f64>()
+    }
+
+    /// Adds the edges between some nodes: the fastest of those that join two.
+    fn walk(&mut self, map: &StreetMap, costs: &[Cost], start: Place, end: Place, nodes: &[u32]) {
+        let edges = map.walk_edges();
+        let mut along = |item: usize, from: f64, to: f64| {
+            self.legs.push(Leg::Walk(WalkEdgeId::of(item), from <= to));
+            self.push(&edges[item].line, from, to);
+        };
+        let (Some(first), Some(last)) = (nodes.first(), nodes.last()) else {
+            return along(start.item, start.station, end.station);
+        };
+        let at = |item: usize, node: u32| if edges[item].ends[0].0 == node { 0.0 } else { edges[item].line.length() };
+        along(start.item, start.station, at(start.item, *first));
+        for pair in nodes.windows(2) {
+            let joins = |id: &&WalkEdgeId| edges[id.index()].ends.iter().any(|node| node.0 == pair[1]);
+            let between = map.walk_edges_at(crate::WalkNodeId(pair[0])).iter().filter(joins);
+            if let Some(id) = between.min_by_key(|id| (costs[id.index()], **id)) {
+                along(id.index(), at(id.index(), pair[0]), at(id.index(), pair[1]));
+            }
+        }
+        along(end.item, at(end.item, *last), end.station);
+    }
 }

@@ -6,29 +6,27 @@ use petgraph::graph::{DiGraph, NodeIndex};
 use super::MapViolation;
 use crate::{Control, LaneId, StreetMap, Users};
 
-/// A movement may miss its lane by this, metres.
-const GAP: f64 = 0.05;
+/// Lanes begin and end at most this far from the middle of their junction, metres: nodes that lie so far apart are one
+/// junction, and arms are cut back.
+const REACH: f64 = 75.0;
 
 pub(super) fn violations(map: &StreetMap) -> Vec<MapViolation> {
-    let mut found = gaps(map);
+    let mut found: Vec<MapViolation> = gaps(map).collect();
     found.extend(dead(map));
     found.extend(cut_off(map));
     found
 }
 
-fn gaps(map: &StreetMap) -> Vec<MapViolation> {
-    let mut found = Vec::new();
-    for movement in map.movements() {
-        let ends = [(movement.from, true, movement.line.start()), (movement.to, false, movement.line.end())];
-        for (id, end, point) in ends {
-            let Some(lane) = map.lane(id) else { continue };
-            let metres = (if end { lane.line.end() } else { lane.line.start() } - point).norm();
-            if metres > GAP {
-                found.push(MapViolation::Gap { junction: movement.junction, lane: id, metres });
-            }
-        }
-    }
-    found
+fn gaps(map: &StreetMap) -> impl Iterator<Item = MapViolation> + '_ {
+    map.lanes().iter().enumerate().flat_map(move |(index, lane)| {
+        let ends = map.road(lane.road).map(|road| [road.draft.from, road.draft.to]);
+        let points =
+            if lane.forward { [lane.line.start(), lane.line.end()] } else { [lane.line.end(), lane.line.start()] };
+        ends.into_iter().flatten().zip(points).filter_map(move |(junction, point)| {
+            let metres = (map.junction(junction)?.at - point).norm();
+            (metres > REACH).then_some(MapViolation::Gap { junction, lane: LaneId::of(index), metres })
+        })
+    })
 }
 
 /// Lanes for cars and buses that end without a way on, other than at the edge of the map.

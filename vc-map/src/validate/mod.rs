@@ -8,7 +8,7 @@ use std::fmt;
 
 use crate::{ConflictTable, CrossingId, JunctionId, LaneId, Light, Point, Signal, SignalId, StreetMap, WalkNodeId};
 
-pub use conflicts::{missing_conflicts, unsafe_phases};
+pub use conflicts::{missing_conflicts, short_clearances, unsafe_phases};
 
 /// Something that is wrong with a map.
 #[derive(Debug, Clone, PartialEq)]
@@ -26,13 +26,13 @@ pub enum MapViolation {
         /// The lane.
         lane: LaneId,
     },
-    /// A movement does not begin where its lane ends, or does not end where its lane begins.
+    /// A lane begins or ends far from its junction, so that movements jump.
     Gap {
         /// The junction.
         junction: JunctionId,
         /// The lane at the gap.
         lane: LaneId,
-        /// The width of the gap, metres.
+        /// The distance of its end from the middle of the junction, metres.
         metres: f64,
     },
     /// Two movements, or a movement and a crossing, meet, and the conflict table lacks them.
@@ -50,6 +50,17 @@ pub enum MapViolation {
         phase: usize,
         /// Their positions in the table.
         pair: (usize, usize),
+    },
+    /// People who have begun to cross are not over when vehicles start that cross their way.
+    ShortClearance {
+        /// The signal.
+        signal: SignalId,
+        /// The phase after which people stop, from zero.
+        phase: usize,
+        /// The crossing.
+        crossing: CrossingId,
+        /// The time until vehicles start, seconds.
+        seconds: f64,
     },
     /// A movement or crossing never gets green.
     NeverGreen {
@@ -74,7 +85,7 @@ pub enum MapViolation {
         /// The road.
         road: crate::RoadId,
     },
-    /// A crossing at lights has none of its own.
+    /// A crossing at a junction with lights has none by its kind, or it has and the junction has none.
     Unlit {
         /// The crossing.
         crossing: CrossingId,
@@ -82,6 +93,22 @@ pub enum MapViolation {
 }
 
 impl MapViolation {
+    /// Its kind in words, for lists of how many there are of each.
+    pub fn kind(&self) -> &'static str {
+        match self {
+            Self::CutOff { .. } => "streets cut off",
+            Self::DeadLane { .. } => "lane without a way on",
+            Self::Gap { .. } => "lane far from its junction",
+            Self::MissingConflict { .. } => "conflict missing",
+            Self::UnsafePhase { .. } => "unsafe phase",
+            Self::ShortClearance { .. } => "clearance too short",
+            Self::NeverGreen { .. } => "never green",
+            Self::WalkCutOff { .. } => "pavements cut off",
+            Self::NoCrossing { .. } => "no crossing at lights",
+            Self::Unlit { .. } => "crossing and junction differ in lights",
+        }
+    }
+
     /// Its place on the map.
     pub fn place(&self, map: &StreetMap) -> Option<Point> {
         let lane = |id: &LaneId| map.lane(*id).map(|lane| lane.line.end());
@@ -93,7 +120,9 @@ impl MapViolation {
                 map.signal(*signal).and_then(|signal| junction(&signal.junction))
             }
             Self::WalkCutOff { node, .. } => map.walk_node(*node).map(|node| node.at),
-            Self::Unlit { crossing } => map.crossing(*crossing).map(|crossing| crossing.line.start()),
+            Self::Unlit { crossing } | Self::ShortClearance { crossing, .. } => {
+                map.crossing(*crossing).map(|crossing| crossing.line.start())
+            }
         }
     }
 }
@@ -106,7 +135,7 @@ impl fmt::Display for MapViolation {
             }
             Self::DeadLane { lane } => write!(f, "{lane} ends, and nothing goes on"),
             Self::Gap { junction, lane, metres } => {
-                write!(f, "a movement of {junction} misses {lane} by {metres:.2} m")
+                write!(f, "{lane} ends {metres:.0} m from the middle of {junction}")
             }
             Self::MissingConflict { junction, pair } => {
                 write!(f, "{} and {} of {junction} meet, and its table lacks them", pair.0, pair.1)
@@ -114,18 +143,24 @@ impl fmt::Display for MapViolation {
             Self::UnsafePhase { signal, phase, pair } => {
                 write!(f, "phase {phase} of {signal} lets {} and {} go, which conflict", pair.0, pair.1)
             }
+            Self::ShortClearance { signal, phase, crossing, seconds } => {
+                write!(f, "people on {crossing} have {seconds:.1} s to end after phase {phase} of {signal}, too few")
+            }
             Self::NeverGreen { signal, row } => write!(f, "{row} of {signal} never gets green"),
             Self::WalkCutOff { node, nodes, metres } => {
                 write!(f, "{node} and {} more, {metres:.0} m, are cut off from the pavements", nodes - 1)
             }
             Self::NoCrossing { junction, road } => write!(f, "{junction} has lights and no crossing over {road}"),
-            Self::Unlit { crossing } => write!(f, "{crossing} is at lights and has none of its own"),
+            Self::Unlit { crossing } => {
+                write!(f, "either {crossing} or its junction has no lights, and the other does")
+            }
         }
     }
 }
 
 impl StreetMap {
     /// Everything that is wrong with the map, in the order of its parts. A real map has some: streets that the edge cuts off.
+    /// Costs a few milliseconds for each square kilometre, most of it for the movements of each junction against each other.
     ///
     /// ```
     /// use vc_map::{Control, CrossSection, MapDraft, RoadClass, Strip};
@@ -148,6 +183,13 @@ impl StreetMap {
             let Some(junction) = self.junction(signal.junction) else { continue };
             let pairs = unsafe_phases(signal, &junction.conflicts);
             found.extend(pairs.into_iter().map(|(phase, pair)| MapViolation::UnsafePhase { signal: id, phase, pair }));
+            let short = short_clearances(self, signal);
+            found.extend(short.into_iter().map(|(phase, crossing, seconds)| MapViolation::ShortClearance {
+                signal: id,
+                phase,
+                crossing,
+                seconds,
+            }));
             found.extend(dark(signal, &junction.conflicts).map(|row| MapViolation::NeverGreen { signal: id, row }));
         }
         found.extend(walk::violations(self));

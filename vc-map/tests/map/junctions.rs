@@ -52,8 +52,8 @@ fn a_phase_that_lets_two_go_who_meet_is_found() {
     let mut worse = signal.clone();
     worse.phases[0].lights.fill(Light::Green);
     assert_eq!(unsafe_phases(&worse, table).len(), table.pairs().count());
-    // Two axes with yellow and all red behind each, of about ninety seconds.
-    assert_eq!(signal.phases.len(), 6);
+    // Two axes of about ninety seconds, each with an end without people, yellow and all red.
+    assert_eq!(signal.phases.len(), 8);
     assert!((85.0..=95.0).contains(&signal.cycle()), "{}", signal.cycle());
 }
 
@@ -142,11 +142,49 @@ fn descriptions_that_make_no_map_are_refused_with_the_part() {
     let road = draft.road(here, JunctionId(7), RoadClass::Residential, street(1));
     assert_eq!(draft.clone().build().unwrap_err(), MapError::NoSuchJunction { road, junction: JunctionId(7) });
     draft.roads[0].to = here;
+    assert_eq!(draft.clone().build().unwrap_err(), MapError::Nowhere("a point of road 0".to_owned()));
+    draft.roads[0].line = vec![[0.0, 0.0]; 2];
     assert_eq!(draft.clone().build().unwrap_err(), MapError::NoLine(road));
     draft.roads[0].line = vec![[0.0, 0.0], [9.0, 0.0]];
     draft.roads[0].section = CrossSection { forward: vec![Strip::driving(f64::NAN, 8.0)], ..CrossSection::default() };
+    let error = draft.clone().build().unwrap_err().to_string();
+    assert_eq!(error, "the width in metres of a strip of road 0 is NaN: give one from 0.1 to 100");
+    draft.roads[0].section = CrossSection::default();
     assert_eq!(draft.clone().build().unwrap_err(), MapError::NoStrip(road));
     draft.origin.latitude = 200.0;
     assert_eq!(draft.build().unwrap_err(), MapError::NoOrigin);
     assert!(vc_map::StreetMap::signal(&crossroads(Control::Priority, DrivingSide::Right, 1).0, SignalId(0)).is_none());
+}
+
+#[test]
+fn a_road_of_a_few_millimetres_between_wide_ones_is_built() {
+    for metres in [0.0012, 0.004, 0.011, 0.3] {
+        let mut draft = MapDraft::new("tiny", 48.0, 11.0);
+        let at = [[-90.0, 0.0], [0.0, 0.0], [metres, 0.0], [90.0, 0.0], [0.0, 90.0], [metres, -90.0]];
+        let ids = at.map(|at| draft.junction(at, Control::Priority));
+        for [from, to] in [[0, 1], [1, 2], [2, 3], [4, 1], [5, 2]] {
+            draft.road(ids[from], ids[to], RoadClass::Secondary, street(2));
+        }
+        let map = draft.build().unwrap();
+        assert!(map.roads()[1].lanes.iter().all(|id| map.lane(*id).unwrap().line.length() > 0.0009));
+    }
+}
+
+#[test]
+fn what_is_near_is_found_however_far_it_is() {
+    let (map, _) = crossroads(Control::Priority, DrivingSide::Right, 2);
+    for away in [50.0, 3_000.0, 900_000.0] {
+        let point = vc_map::Point::new(away, 40.0);
+        let by = |lane: &&vc_map::Lane| lane.line.project(&point).left.abs();
+        let cars = map.lanes().iter().filter(|lane| lane.users.has(Users::CAR));
+        let nearest = cars.min_by(|a, b| by(a).total_cmp(&by(b))).unwrap();
+        let (lane, station) = map.lane_near(&point, Users::CAR, 1e7).unwrap();
+        assert_eq!(map.lane(lane).unwrap(), nearest, "{away}");
+        assert_eq!(station, nearest.line.project(&point).station);
+        let just = by(&nearest);
+        assert!(
+            map.lane_near(&point, Users::CAR, just * 0.999).is_none()
+                && map.lane_near(&point, Users::CAR, just * 1.001).is_some()
+        );
+    }
 }

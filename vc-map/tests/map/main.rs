@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, reason = "tests may unwrap")]
 
 mod account;
+mod bounds;
 mod control;
 mod formats;
 mod hostile;
@@ -9,11 +10,13 @@ mod junctions;
 mod lanes;
 mod lines;
 mod memory;
+mod opendrive;
 mod osm;
 mod pbf;
 mod pictures;
 mod readers;
 mod real;
+mod right_of_way;
 mod routes;
 mod town;
 mod world;

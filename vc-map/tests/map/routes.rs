@@ -3,9 +3,11 @@
 use std::collections::BTreeMap;
 
 use vc_map::route::{Leg, Mode, Router};
-use vc_map::{BuildingId, EntranceId, Point, WalkKind};
+use vc_map::{
+    BuildingId, Control, CrossSection, EntranceId, MapDraft, Point, RoadClass, Strip, StripKind, Users, WalkKind,
+};
 
-use crate::town::{grid, riverside};
+use crate::town::{grid, riverside, street};
 
 /// The shortest times over the walkable network in seconds, by trying all edges until nothing changes.
 fn walked(map: &vc_map::StreetMap, from: EntranceId) -> BTreeMap<u32, f64> {
@@ -129,4 +131,80 @@ fn there_is_no_way_where_there_is_none() {
     assert!(router.to_entrance(&Point::new(50.0, 0.0), EntranceId(0)).is_none());
     let near = Router::new(&map, Mode::Foot).route(&Point::new(50.0, -4.0), &Point::new(50.0, -4.0));
     assert!(near.is_some_and(|route| route.metres < 0.1));
+}
+
+/// A square of streets, 300 m on a side, with a short cut through its middle of a class, private or not.
+fn short_cut(class: RoadClass, private: bool) -> vc_map::StreetMap {
+    let mut draft = MapDraft::new("short cut", 48.0, 11.0);
+    let at = [[0.0, 0.0], [150.0, 0.0], [300.0, 0.0], [300.0, 300.0], [150.0, 300.0], [0.0, 300.0], [150.0, 150.0]];
+    let ids = at.map(|at| draft.junction(at, Control::Priority));
+    for [from, to] in [[0, 1], [1, 2], [2, 3], [3, 4], [4, 5], [5, 0]] {
+        draft.road(ids[from], ids[to], RoadClass::Residential, street(1));
+    }
+    for [from, to] in [[1, 6], [6, 4]] {
+        let road = draft.road(ids[from], ids[to], class, street(1));
+        draft.roads[road.index()].private = private;
+    }
+    draft.build().unwrap()
+}
+
+#[test]
+fn nobody_drives_through_private_ground_but_to_a_place_there() {
+    let (south, north, inside) = (Point::new(100.0, 0.0), Point::new(100.0, 300.0), Point::new(150.0, 220.0));
+    let cases = [
+        (RoadClass::Residential, false, Mode::Car, true),
+        (RoadClass::Residential, true, Mode::Car, false),
+        (RoadClass::Service, false, Mode::Car, false),
+        (RoadClass::Service, false, Mode::Bicycle, true),
+        (RoadClass::Service, true, Mode::Bicycle, false),
+        (RoadClass::Service, true, Mode::Foot, true),
+    ];
+    for (class, private, mode, through) in cases {
+        let map = short_cut(class, private);
+        let router = Router::new(&map, mode);
+        let enters = |route: &vc_map::route::Route| {
+            route.legs.iter().any(|leg| match leg {
+                Leg::Road(road, _) => map.road(*road).unwrap().draft.class == class && road.0 >= 6,
+                Leg::Walk(edge, _) => map.walk_edge(*edge).unwrap().line.start().x > 140.0,
+                _ => false,
+            })
+        };
+        let round = router.route(&south, &north).unwrap();
+        assert_eq!(enters(&round), through, "{class:?} {private} {mode}");
+        let there = router.route(&south, &inside).unwrap();
+        let back = router.route(&inside, &north).unwrap();
+        assert!(enters(&there) && enters(&back));
+        // Entering costs no time.
+        assert!(there.seconds < 250.0 && back.seconds < 250.0 && there.metres < 330.0, "{} {mode}", there.seconds);
+    }
+}
+
+#[test]
+fn of_two_edges_between_the_same_places_the_fastest_is_taken() {
+    // Steps straight up, and a path around that is longer and faster.
+    let mut draft = MapDraft::new("steps", 48.0, 11.0);
+    let at = [[-50.0, 0.0], [0.0, 0.0], [30.0, 0.0], [80.0, 0.0]].map(|at| draft.junction(at, Control::Priority));
+    let path =
+        |kind| CrossSection { forward: vec![Strip::new(kind, 2.0, Users::FOOT, 1.4)], ..CrossSection::default() };
+    for [from, to] in [[0, 1], [2, 3]] {
+        draft.road(at[from], at[to], RoadClass::Path, path(StripKind::Path));
+    }
+    let steps = draft.road(at[1], at[2], RoadClass::Steps, path(StripKind::Path));
+    let round = draft.road(at[1], at[2], RoadClass::Path, path(StripKind::Path));
+    draft.roads[round.index()].line.insert(1, [15.0, 12.0]);
+    let map = draft.build().unwrap();
+    let way = Router::new(&map, Mode::Foot).route(&Point::new(-20.0, 0.0), &Point::new(50.0, 0.0)).unwrap();
+    let roads: Vec<_> = way
+        .legs
+        .iter()
+        .filter_map(|leg| match leg {
+            Leg::Walk(edge, _) => match map.walk_edge(*edge)?.kind {
+                WalkKind::Lane(lane) => Some(map.lane(lane)?.road),
+                _ => None,
+            },
+            _ => None,
+        })
+        .collect();
+    assert!(roads.contains(&round) && !roads.contains(&steps), "{roads:?}");
+    assert!((way.seconds - way.metres / 1.34).abs() < 0.1);
 }

@@ -1,28 +1,25 @@
 //! Roads between junctions.
 
+use std::collections::BTreeSet;
 use std::fmt::Display;
 
-use super::{Fixed, plan_view, road_number};
+use super::{Fine, Fixed, plan_view, road_number};
 use crate::format::xml::Xml;
 use crate::parts::{Lane, Road};
-use crate::{DrivingSide, LaneId, Light, Polyline, RoadClass, RoadId, StreetMap, Strip, StripKind, Users};
+use crate::{CrossSection, DrivingSide, LaneId, Polyline, RoadClass, RoadId, StreetMap, Strip, StripKind, Users};
 
-/// The part of a road between its junctions.
-pub(super) fn middle(road: &Road) -> Polyline {
-    let part = road.line.part(road.cuts[0], road.line.length() - road.cuts[1]);
-    part.unwrap_or_else(|| road.line.clone())
-}
-
-/// The number of a lane: negative to the right of the reference line.
+/// The number of a lane: negative to the right of the reference line. A divider that is a strip is the first lane of each
+/// side.
 pub(super) fn lane_number(map: &StreetMap, lane: &Lane) -> i64 {
+    let median = map.road(lane.road).is_some_and(|road| road.draft.section.median > 0.0);
     let right = lane.forward == (map.side() == DrivingSide::Right);
-    let number = lane.index as i64 + 1;
+    let number = lane.index as i64 + 1 + i64::from(median);
     if right { -number } else { number }
 }
 
 pub(super) fn road(map: &StreetMap, xml: &mut Xml, id: RoadId) {
     let Some(road) = map.road(id) else { return };
-    let line = middle(road);
+    let line = road.middle();
     let draft = &road.draft;
     let name = draft.name.clone().unwrap_or_default();
     let rule = if map.side() == DrivingSide::Right { "RHT" } else { "LHT" };
@@ -45,6 +42,7 @@ pub(super) fn road(map: &StreetMap, xml: &mut Xml, id: RoadId) {
     xml.close();
     plan_view(xml, &line);
     lanes(map, xml, road);
+    objects(map, xml, id, &line);
     signals(map, xml, road, &line);
     xml.close();
 }
@@ -59,29 +57,52 @@ fn lanes(map: &StreetMap, xml: &mut Xml, road: &Road) {
     xml.open("laneSection", &[("s", &zero)]);
     let right_hand = map.side() == DrivingSide::Right;
     let [left, right] = if right_hand { [false, true] } else { [true, false] };
-    side(xml, "left", section.side(left).iter().enumerate().rev().map(|(i, strip)| (i as i64 + 1, strip)));
+    side(xml, "left", (1..).zip(written(section, left)).collect::<Vec<_>>().into_iter().rev());
     xml.open("center", &[]);
     xml.open("lane", &[("id", &0), ("type", &"none"), ("level", &"false")]);
     mark(xml, if section.forward.is_empty() || section.backward.is_empty() { "solid" } else { "broken" });
     xml.close();
     xml.close();
-    side(xml, "right", section.side(right).iter().enumerate().map(|(i, strip)| (-(i as i64) - 1, strip)));
+    side(xml, "right", (1..).zip(written(section, right)).map(|(number, lane)| (-number, lane)));
     xml.close();
     xml.close();
 }
 
-fn side<'a>(xml: &mut Xml, name: &'static str, strips: impl Iterator<Item = (i64, &'a Strip)>) {
-    let mut strips = strips.peekable();
-    if strips.peek().is_none() {
+/// A lane as it is written.
+struct Written {
+    kind: &'static str,
+    width: f64,
+    limit: Option<f64>,
+    mark: &'static str,
+}
+
+/// The lanes of a side from the divider outward: half of the divider first, if it has a width.
+fn written(section: &CrossSection, forward: bool) -> Vec<Written> {
+    let lane = |strip: &Strip| {
+        let mark = if strip.kind == StripKind::Driving { "broken" } else { "solid" };
+        Written { kind: kind(strip), width: strip.width, limit: Some(strip.limit), mark }
+    };
+    let half = || Written { kind: "median", width: section.median / 2.0, limit: None, mark: "solid" };
+    let strips = section.side(forward);
+    let divider = (section.median > 0.0 && !strips.is_empty()).then(half);
+    divider.into_iter().chain(strips.iter().map(lane)).collect()
+}
+
+/// Writes the lanes of a side from the left to the right, with numbers that grow to the left.
+fn side(xml: &mut Xml, name: &'static str, lanes: impl Iterator<Item = (i64, Written)>) {
+    let mut lanes = lanes.peekable();
+    if lanes.peek().is_none() {
         return;
     }
     xml.open(name, &[]);
-    for (number, strip) in strips {
-        xml.open("lane", &[("id", &number), ("type", &kind(strip)), ("level", &"false")]);
+    for (number, lane) in lanes {
+        xml.open("lane", &[("id", &number), ("type", &lane.kind), ("level", &"false")]);
         let zero = Fixed(0.0);
-        xml.tag("width", &[("sOffset", &zero), ("a", &Fixed(strip.width)), ("b", &zero), ("c", &zero), ("d", &zero)]);
-        mark(xml, if strip.kind == StripKind::Driving { "broken" } else { "solid" });
-        xml.tag("speed", &[("sOffset", &zero), ("max", &Fixed(strip.limit)), ("unit", &"m/s")]);
+        xml.tag("width", &[("sOffset", &zero), ("a", &Fixed(lane.width)), ("b", &zero), ("c", &zero), ("d", &zero)]);
+        mark(xml, lane.mark);
+        if let Some(limit) = lane.limit.map(Fixed) {
+            xml.tag("speed", &[("sOffset", &zero), ("max", &limit), ("unit", &"m/s")]);
+        }
         xml.close();
     }
     xml.close();
@@ -110,44 +131,72 @@ pub(super) fn kind(strip: &Strip) -> &'static str {
     }
 }
 
-/// A signal for each lane that ends at lights, and an object for each crossing over the road.
+/// An object for each crossing, at the first of the roads that it crosses.
+fn objects(map: &StreetMap, xml: &mut Xml, id: RoadId, line: &Polyline) {
+    let ends: BTreeSet<_> = map.road(id).map(|road| [road.draft.from, road.draft.to]).into_iter().flatten().collect();
+    let near = ends.into_iter().filter_map(|end| map.junction(end)).flat_map(|junction| &junction.crossings);
+    let crossings = near.filter_map(|number| Some((number.0, map.crossing(*number)?)));
+    let own: Vec<_> = crossings.filter(|(_, crossing)| crossing.roads.first() == Some(&id)).collect();
+    if own.is_empty() {
+        return;
+    }
+    xml.open("objects", &[]);
+    for (number, crossing) in own {
+        let length = crossing.line.length();
+        let near = line.project(&crossing.line.at(length / 2.0));
+        let heading = Fine(crossing.line.heading(length / 2.0) - line.heading(near.station));
+        let name = format!("crossing {number}");
+        let attributes: [(&str, &dyn Display); 11] = [
+            ("type", &"crosswalk"),
+            ("id", &name),
+            ("name", &name),
+            ("s", &Fixed(near.station)),
+            ("t", &Fixed(near.left)),
+            ("zOffset", &Fixed(0.0)),
+            ("orientation", &"none"),
+            ("hdg", &heading),
+            ("length", &Fixed(length)),
+            ("width", &Fixed(crossing.width)),
+            ("height", &Fixed(0.0)),
+        ];
+        xml.tag("object", &attributes);
+    }
+    xml.close();
+}
+
+/// A signal for each lane that ends at lights.
 fn signals(map: &StreetMap, xml: &mut Xml, road: &Road, line: &Polyline) {
-    let lit: Vec<(LaneId, &Lane)> =
-        road.lanes.iter().filter_map(|id| Some((*id, map.lane(*id)?))).filter(|(_, lane)| is_lit(map, lane)).collect();
+    let lanes = road.lanes.iter().filter_map(|id| Some((*id, map.lane(*id)?)));
+    let lit: Vec<(LaneId, &Lane)> = lanes.filter(|(_, lane)| map.is_lit(lane)).collect();
     if lit.is_empty() {
         return;
     }
     xml.open("signals", &[]);
     for (id, lane) in lit {
-        let back = lane.line.length() - lane.stop_line.unwrap_or(lane.line.length());
-        let s = if lane.forward { line.length() - back } else { back }.clamp(0.0, line.length());
-        let orientation = if lane.forward { "+" } else { "-" };
-        let t = Fixed(line.project(&lane.line.at(lane.line.length() - back)).left);
-        let number = lane_number(map, lane);
-        let attributes: [(&str, &dyn Display); 10] = [
-            ("s", &Fixed(s)),
-            ("t", &t),
-            ("id", &id.0),
-            ("name", &format!("signal of lane {}", id.0)),
-            ("dynamic", &"yes"),
-            ("orientation", &orientation),
-            ("zOffset", &Fixed(5.3)),
-            ("country", &"OpenDRIVE"),
-            ("type", &"1000001"),
-            ("subtype", &"-1"),
-        ];
-        xml.open("signal", &attributes);
-        xml.tag("validity", &[("fromLane", &number), ("toLane", &number)]);
-        xml.close();
+        signal(map, xml, line, id, lane);
     }
     xml.close();
 }
 
-/// Whether lights rule the movements of a lane.
-pub(super) fn is_lit(map: &StreetMap, lane: &Lane) -> bool {
-    let light = |light: &Light| *light != Light::Red;
-    let junction =
-        lane.next.first().and_then(|id| map.movement(*id)).and_then(|movement| map.junction(movement.junction));
-    let signal = junction.and_then(|junction| junction.signal).and_then(|id| map.signal(id));
-    signal.is_some_and(|signal| signal.phases.iter().any(|phase| phase.lights.iter().any(light)))
+fn signal(map: &StreetMap, xml: &mut Xml, line: &Polyline, id: LaneId, lane: &Lane) {
+    let back = lane.line.length() - lane.stop_line.unwrap_or(lane.line.length());
+    let s = if lane.forward { line.length() - back } else { back }.clamp(0.0, line.length());
+    let orientation = if lane.forward { "+" } else { "-" };
+    let t = Fixed(line.project(&lane.line.at(lane.line.length() - back)).left);
+    let number = lane_number(map, lane);
+    let attributes: [(&str, &dyn Display); 10] = [
+        ("s", &Fixed(s)),
+        ("t", &t),
+        ("id", &id.0),
+        ("name", &format!("signal of lane {}", id.0)),
+        ("dynamic", &"yes"),
+        ("orientation", &orientation),
+        ("zOffset", &Fixed(5.3)),
+        ("country", &"OpenDRIVE"),
+        ("type", &"1000001"),
+        ("subtype", &"-1"),
+    ];
+    xml.open("signal", &attributes);
+    xml.tag("validity", &[("fromLane", &number), ("toLane", &number)]);
+    xml.close();
 }

@@ -33,18 +33,8 @@ pub(super) fn connections(map: &StreetMap) -> String {
     let mut xml = Xml::new("connections", &[]);
     let mut left: BTreeSet<(RoadId, bool)> = BTreeSet::new();
     for movement in map.movements() {
-        let Some([from, to, lane, onto]) = ends(map, movement) else { continue };
-        let lane_of = map.lane(movement.from);
-        left.extend(lane_of.map(|lane| (lane.road, lane.forward)));
-        let mut attributes: Vec<(&str, &dyn Display)> =
-            vec![("from", &from), ("to", &to), ("fromLane", &lane), ("toLane", &onto)];
-        let both = [movement.from, movement.to].into_iter().filter_map(|id| map.lane(id)).map(|lane| lane.users);
-        let both = both.reduce(Users::and).unwrap_or_default().without(Users::FOOT);
-        let allow = classes(movement.users);
-        if movement.users != both {
-            attributes.push(("allow", &allow));
-        }
-        xml.tag("connection", &attributes);
+        connection(map, &mut xml, movement);
+        left.extend(map.lane(movement.from).map(|lane| (lane.road, lane.forward)));
     }
     // An edge of which nothing is said would get connections by rule.
     for (index, road) in map.roads().iter().enumerate() {
@@ -58,24 +48,37 @@ pub(super) fn connections(map: &StreetMap) -> String {
     }
     let on_street = |road: &RoadId| map.road(*road).is_some_and(|road| road.draft.class.is_street());
     // SUMO has no crossings over rails alone: people walk over these in its walking areas.
-    for crossing in map.crossings().iter().filter(|crossing| crossing.roads.iter().any(on_street)) {
-        let edges = crossed(map, crossing);
-        if !edges.is_empty() {
-            let node = NodeName(crossing.junction);
-            let row = row(map, crossing);
-            // SUMO asks for it where lights rule.
-            let priority = crossing.kind != CrossingKind::Unmarked || row.is_some();
-            let mut attributes: Vec<(&str, &dyn Display)> =
-                vec![("node", &node), ("edges", &edges), ("priority", &priority)];
-            let width = Metres(crossing.width);
-            attributes.push(("width", &width));
-            if let Some(row) = &row {
-                attributes.push(("linkIndex", row));
-            }
-            xml.tag("crossing", &attributes);
-        }
-    }
+    let crossings = map.crossings().iter().filter(|crossing| crossing.roads.iter().any(on_street));
+    crossings.for_each(|crossing| self::crossing(map, &mut xml, crossing));
     xml.finish()
+}
+
+fn connection(map: &StreetMap, xml: &mut Xml, movement: &Movement) {
+    let Some([from, to, lane, onto]) = ends(map, movement) else { return };
+    let mut attributes: Vec<(&str, &dyn Display)> =
+        vec![("from", &from), ("to", &to), ("fromLane", &lane), ("toLane", &onto)];
+    let lanes = || [movement.from, movement.to].into_iter().filter_map(|id| map.lane(id));
+    let both = lanes().map(|lane| lane.users).reduce(Users::and).unwrap_or_default().without(Users::FOOT);
+    let private = lanes().any(|lane| map.road(lane.road).is_some_and(|road| road.draft.private));
+    let allow = classes(movement.users, private);
+    if movement.users != both {
+        attributes.push(("allow", &allow));
+    }
+    xml.tag("connection", &attributes);
+}
+
+fn crossing(map: &StreetMap, xml: &mut Xml, crossing: &RoadCrossing) {
+    let edges = crossed(map, crossing);
+    if edges.is_empty() {
+        return;
+    }
+    let (node, row, width) = (NodeName(crossing.junction), row(map, crossing), Metres(crossing.width));
+    // SUMO asks for it where lights rule.
+    let priority = crossing.kind != CrossingKind::Unmarked || row.is_some();
+    let mut attributes: Vec<(&str, &dyn Display)> =
+        vec![("node", &node), ("edges", &edges), ("priority", &priority), ("width", &width)];
+    attributes.extend(row.as_ref().map(|row| ("linkIndex", row as &dyn Display)));
+    xml.tag("crossing", &attributes);
 }
 
 /// The position of a crossing in the phases of its signal.

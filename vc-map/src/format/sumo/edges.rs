@@ -7,7 +7,7 @@ use crate::format::xml::Xml;
 use crate::parts::{Lane, Road};
 use crate::{LaneId, RoadId, StreetMap, Users};
 
-/// The vehicle classes of SUMO for each kind of users.
+/// The vehicle classes of SUMO for each kind of users, and for cars where only those may go who have something to do there.
 const CLASSES: [(Users, &str); 6] = [
     (
         Users::CAR,
@@ -19,10 +19,12 @@ const CLASSES: [(Users, &str); 6] = [
     (Users::TRAM, "tram"),
     (Users::TRAIN, "rail rail_urban rail_electric rail_fast subway"),
 ];
+const PRIVATE: &str = "private emergency authority army vip delivery";
 
-/// The vehicle classes of some users.
-pub(super) fn classes(users: Users) -> String {
-    CLASSES.iter().filter(|(flag, _)| users.has(*flag)).map(|(_, words)| *words).collect::<Vec<_>>().join(" ")
+/// The vehicle classes of some users, on private ground or not.
+pub(super) fn classes(users: Users, private: bool) -> String {
+    let words = |(flag, words): &(Users, &'static str)| if private && *flag == Users::CAR { PRIVATE } else { words };
+    CLASSES.iter().filter(|(flag, _)| users.has(*flag)).map(words).collect::<Vec<_>>().join(" ")
 }
 
 /// The name of an edge.
@@ -71,7 +73,8 @@ fn edge(map: &StreetMap, xml: &mut Xml, id: RoadId, forward: bool, lanes: &[(Lan
     let speed = lanes.iter().map(|(_, lane)| lane.limit).fold(0.0, f64::max);
     let (id, from, to, speed, shape) =
         (name(id, forward), NodeName(from), NodeName(to), Metres(speed), shape.join(" "));
-    let (priority, kind, count) = (draft.class.rank(), draft.class.word(), lanes.len());
+    let priority = 2 * draft.class.rank() - u8::from(draft.slip);
+    let (kind, count) = (draft.class.word(), lanes.len());
     let mut attributes: Vec<(&str, &dyn Display)> = vec![
         ("id", &id),
         ("from", &from),
@@ -88,7 +91,7 @@ fn edge(map: &StreetMap, xml: &mut Xml, id: RoadId, forward: bool, lanes: &[(Lan
     }
     xml.open("edge", &attributes);
     for (index, (_, lane)) in lanes.iter().enumerate() {
-        let allow = classes(lane.users);
+        let allow = classes(lane.users, draft.private);
         xml.tag(
             "lane",
             &[

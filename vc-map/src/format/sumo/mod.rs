@@ -10,7 +10,8 @@ mod lights;
 use std::fmt::Display;
 
 use super::xml::Xml;
-use crate::{Control, DrivingSide, JunctionId, StreetMap};
+use crate::parts::Junction;
+use crate::{Control, DrivingSide, JunctionId, RoadDraft, StreetMap};
 
 /// The files of a network for netconvert.
 ///
@@ -48,8 +49,9 @@ impl SumoFiles {
     }
 }
 
-/// Writes a map for netconvert, into files of a name. Lost are buildings, areas, stops, bays, verges and the lines of
-/// movements: netconvert makes its own.
+/// Writes a map for netconvert, into files of a name. Lost are buildings, areas, stops, bays, verges, heights and the lines of
+/// movements: netconvert makes its own, and works out from classes, slip roads and the kind of a junction who gives way.
+/// Private roads are open to vehicles that SUMO calls private and to deliveries, and closed to passenger cars.
 pub fn write(map: &StreetMap, name: &str) -> SumoFiles {
     SumoFiles {
         nodes: nodes(map),
@@ -68,6 +70,7 @@ fn nodes(map: &StreetMap) -> String {
         let kind = match junction.draft.control {
             Control::Signals if junction.signal.is_some() => "traffic_light",
             Control::AllWayStop => "allway_stop",
+            Control::Priority if is_equal(map, junction) => "right_before_left",
             _ => "priority",
         };
         let name = NodeName(id);
@@ -79,6 +82,16 @@ fn nodes(map: &StreetMap) -> String {
         xml.tag("node", &attributes);
     }
     xml.finish()
+}
+
+/// Whether the streets that meet are equal, so that one gives way to the right. SUMO has the rule for traffic on the right.
+fn is_equal(map: &StreetMap, junction: &Junction) -> bool {
+    let roads = junction.arms.iter().filter_map(|arm| map.road(arm.road));
+    let streets: Vec<&RoadDraft> = roads.map(|road| &road.draft).filter(|road| road.class.is_street()).collect();
+    let equal = |pair: &[&RoadDraft]| {
+        (pair[0].class, pair[0].slip, pair[0].roundabout) == (pair[1].class, pair[1].slip, pair[1].roundabout)
+    };
+    map.side() == DrivingSide::Right && streets.len() > 2 && streets.windows(2).all(equal)
 }
 
 fn config(map: &StreetMap, name: &str) -> String {
