@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::places::{Area, Building, EntranceDraft, StopDraft};
-use crate::{CrossSection, JunctionId, RoadClass, RoadId};
+use crate::{CrossSection, JunctionId, RoadClass, RoadId, Users};
 
 /// The side of the road on which vehicles drive.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
@@ -110,9 +110,9 @@ pub struct RoadDraft {
     /// Whether only those may use it who have something to do there.
     #[serde(default)]
     pub private: bool,
-    /// The number of the way that it was made from; 0 if there is none.
-    #[serde(default)]
-    pub source: i64,
+    /// The numbers of the ways that it was made from, of OpenStreetMap for example.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub source: Vec<i64>,
 }
 
 #[allow(clippy::trivially_copy_pass_by_ref, reason = "serde asks for a reference")]
@@ -130,6 +130,25 @@ pub struct TurnBan {
     pub at: JunctionId,
     /// The road that one may not go on with.
     pub to: RoadId,
+    /// Those who may not turn.
+    #[serde(default = "traffic", skip_serializing_if = "is_traffic")]
+    pub users: Users,
+}
+
+impl TurnBan {
+    /// A turn that nobody may take who drives on tyres.
+    pub fn new(from: RoadId, at: JunctionId, to: RoadId) -> Self {
+        Self { from, at, to, users: Users::TRAFFIC }
+    }
+}
+
+fn traffic() -> Users {
+    Users::TRAFFIC
+}
+
+#[allow(clippy::trivially_copy_pass_by_ref, reason = "serde asks for a reference")]
+fn is_traffic(users: &Users) -> bool {
+    *users == Users::TRAFFIC
 }
 
 /// How a crossing is marked.
@@ -229,7 +248,7 @@ impl MapDraft {
             roundabout: false,
             slip: false,
             private: false,
-            source: 0,
+            source: Vec::new(),
         });
         RoadId::of(self.roads.len() - 1)
     }

@@ -9,7 +9,7 @@ macro_rules! masks {
     ($(#[$doc:meta])* $name:ident { $($(#[$of:meta])* $flag:ident = $bit:literal, $word:literal;)* }) => {
         $(#[$doc])*
         #[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
-        #[serde(from = "Vec<String>", into = "Vec<String>")]
+        #[serde(try_from = "Vec<String>", into = "Vec<String>")]
         pub struct $name(u8);
 
         impl $name {
@@ -19,29 +19,29 @@ macro_rules! masks {
             const WORDS: &'static [(Self, &'static str)] = &[$((Self::$flag, $word)),*];
 
             /// Whether all of these are among them.
-            pub fn has(self, other: Self) -> bool {
+            pub const fn has(self, other: Self) -> bool {
                 self.0 & other.0 == other.0
             }
 
             /// Whether any of these is among them.
-            pub fn any(self, other: Self) -> bool {
+            pub const fn any(self, other: Self) -> bool {
                 self.0 & other.0 != 0
             }
 
             /// Whether there are none.
-            pub fn is_empty(self) -> bool {
+            pub const fn is_empty(self) -> bool {
                 self.0 == 0
             }
 
             /// Those in both.
             #[must_use]
-            pub fn and(self, other: Self) -> Self {
+            pub const fn and(self, other: Self) -> Self {
                 Self(self.0 & other.0)
             }
 
             /// Those that are not among the others.
             #[must_use]
-            pub fn without(self, other: Self) -> Self {
+            pub const fn without(self, other: Self) -> Self {
                 Self(self.0 & !other.0)
             }
 
@@ -58,10 +58,16 @@ macro_rules! masks {
             }
         }
 
-        impl From<Vec<String>> for $name {
-            fn from(words: Vec<String>) -> Self {
-                let flag = |word: &String| Self::WORDS.iter().find(|(_, known)| known == word).map(|(flag, _)| *flag);
-                words.iter().filter_map(flag).fold(Self::NONE, |all, flag| all | flag)
+        impl TryFrom<Vec<String>> for $name {
+            type Error = String;
+
+            fn try_from(words: Vec<String>) -> Result<Self, String> {
+                words.iter().try_fold(Self::NONE, |all, word| {
+                    let known = Self::WORDS.iter().find(|(_, known)| known == word);
+                    let words = || Self::WORDS.iter().map(|(_, known)| *known).collect::<Vec<_>>().join(", ");
+                    let flag = known.map(|(flag, _)| *flag);
+                    flag.map(|flag| all | flag).ok_or_else(|| format!("`{}` is none of: {}", vc_graph::clip(word), words()))
+                })
             }
         }
 

@@ -1,6 +1,6 @@
 //! Movements: which lane goes on with which, by the marks on the lanes or by rule.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::budget::Budget;
 use super::targets::{Target, has, leftward, mark, straighten};
@@ -25,8 +25,11 @@ pub(super) fn movements(
     lanes: &mut [Lane],
     budget: &mut Budget,
 ) -> Result<Vec<Movement>, MapError> {
-    let bans: BTreeSet<(RoadId, JunctionId, RoadId)> =
-        draft.bans.iter().map(|ban| (ban.from, ban.at, ban.to)).collect();
+    let mut bans: Bans = BTreeMap::new();
+    for ban in &draft.bans {
+        let users = bans.entry((ban.from, ban.at, ban.to)).or_default();
+        *users = *users | ban.users;
+    }
     let mut all = Vec::new();
     for (index, junction) in junctions.iter_mut().enumerate() {
         let id = JunctionId::of(index);
@@ -46,12 +49,15 @@ pub(super) fn movements(
     Ok(all)
 }
 
+/// Those who may not turn, by the road that they come from, the junction and the road that they may not go on with.
+type Bans = BTreeMap<(RoadId, JunctionId, RoadId), Users>;
+
 struct Crossroads<'a> {
     id: JunctionId,
     junction: &'a Junction,
     roads: &'a [Road],
     lanes: &'a [Lane],
-    bans: &'a BTreeSet<(RoadId, JunctionId, RoadId)>,
+    bans: &'a Bans,
     side: DrivingSide,
 }
 
@@ -100,8 +106,13 @@ impl Crossroads<'_> {
             let at = one.line.end();
             crate::Polyline::new([at, at + one.line.direction(end) * 0.01])
         })?;
-        let users = one.users.and(other.users).and(open);
+        let users = one.users.and(other.users).and(open).without(self.banned(one.road, other.road));
         Some(Movement { junction: self.id, from, to, turn: direction, line, users, yields: Vec::new() })
+    }
+
+    /// Those who may not go from a road to another.
+    fn banned(&self, from: RoadId, to: RoadId) -> Users {
+        self.bans.get(&(from, self.id, to)).copied().unwrap_or_default()
     }
 
     /// The lanes of an arm for some users, from the divider outward: those that come in, or those that go out.
@@ -131,7 +142,7 @@ impl Crossroads<'_> {
         let came = -arms[from].away;
         let alone = self.is_dead_end(from);
         let open = |arm: &usize| {
-            let banned = self.bans.contains(&(arms[from].road, self.id, arms[*arm].road));
+            let banned = self.banned(arms[from].road, arms[*arm].road).any(users);
             !banned && (*arm != from || alone) && !self.ways(&arms[*arm], false, users).is_empty()
         };
         let target = |arm: usize| {

@@ -1,6 +1,6 @@
 //! Clusters: nodes that are one junction for those who drive.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use petgraph::unionfind::UnionFind;
 
@@ -8,11 +8,13 @@ use super::network::{Network, Piece};
 use crate::{CrossingKind, RoadClass};
 
 /// Junctions nearer than this are one, metres; SUMO joins those within 10 m.
-const NEAR: f64 = 12.0;
+pub(super) const NEAR: f64 = 12.0;
+/// Nodes nearer than this are one, metres: no road fits between them.
+const SAME: f64 = 0.1;
 /// Junctions of dual carriageways with lights are one up to this distance, metres.
 const DUAL: f64 = 24.0;
 /// A crossing belongs to the junction that is nearer than this, metres.
-const CROSSING: f64 = 20.0;
+pub(super) const CROSSING: f64 = 20.0;
 /// No cluster is wider, metres.
 const WIDEST: f64 = 48.0;
 
@@ -28,17 +30,28 @@ impl Clusters {
     pub(super) fn of(&self, node: u32) -> u32 {
         self.of.get(&node).copied().unwrap_or(node)
     }
+
+    /// The nodes of the cluster of a node.
+    pub(super) fn nodes(&self, node: u32) -> &[u32] {
+        self.members.get(&self.of(node)).map(Vec::as_slice).unwrap_or_default()
+    }
+
+    /// Whether streets meet in the cluster of a node, more than two at one of its nodes.
+    pub(super) fn is_junction(&self, network: &Network<'_>, node: u32) -> bool {
+        self.nodes(node).iter().any(|node| degree(network, *node) > 2)
+    }
 }
 
-pub(super) fn clusters(network: &Network<'_>) -> Clusters {
+/// The clusters of all nodes; crossings in `apart` belong to no junction beside them.
+pub(super) fn clusters(network: &Network<'_>, apart: &BTreeSet<u32>) -> Clusters {
     let nodes: Vec<u32> = network.at.keys().copied().collect();
     let position = |node: u32| nodes.binary_search(&node).unwrap_or(0);
     let mut sets = UnionFind::<usize>::new(nodes.len());
     let mut boxes: Vec<[f64; 4]> =
-        nodes.iter().map(|node| network.points[*node as usize]).map(|p| [p.x, p.y, p.x, p.y]).collect();
+        nodes.iter().map(|node| network.point(*node)).map(|p| [p.x, p.y, p.x, p.y]).collect();
     let mut links: Vec<(f64, u32, u32)> = network
         .all()
-        .filter(|(_, piece)| piece.first() != piece.last() && joins(network, piece))
+        .filter(|(_, piece)| piece.first() != piece.last() && (piece.length < SAME || joins(network, piece, apart)))
         .map(|(_, piece)| (piece.length, piece.first(), piece.last()))
         .collect();
     links.sort_by(|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
@@ -61,13 +74,13 @@ pub(super) fn clusters(network: &Network<'_>) -> Clusters {
     clusters
 }
 
-/// The number of directions in which one can drive away from or towards a node.
+/// The number of pieces of street, tracks aside, that meet at a node.
 pub(super) fn degree(network: &Network<'_>, node: u32) -> usize {
     network.streets_at(node).filter(|(_, piece)| network.street(piece).class != RoadClass::Track).count()
 }
 
 /// Whether a piece of street lies within a junction.
-fn joins(network: &Network<'_>, piece: &Piece) -> bool {
+fn joins(network: &Network<'_>, piece: &Piece, apart: &BTreeSet<u32>) -> bool {
     let street = network.street(piece);
     if !street.class.is_street() || street.roundabout || !network.is_ground(piece) {
         return false;
@@ -80,7 +93,7 @@ fn joins(network: &Network<'_>, piece: &Piece) -> bool {
     if rounds(one) || rounds(other) || street.class == RoadClass::Motorway {
         return false;
     }
-    let crossing = |node: u32| marks(node).crossing.is_some() || marks(node).signals;
+    let crossing = |node: u32| marks(node).cuts() && !apart.contains(&node);
     match (real(one), real(other)) {
         (true, true) => {
             let one_way =

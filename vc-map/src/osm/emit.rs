@@ -45,7 +45,7 @@ impl Emitter<'_> {
         let meets = |node: &&u32| super::clusters::degree(self.network, **node) > 2;
         let main: Vec<u32> = members.iter().filter(meets).copied().collect();
         let of = if main.is_empty() { &members } else { &main };
-        let sum: nalgebra::Vector2<f64> = of.iter().map(|node| self.network.points[*node as usize].coords).sum();
+        let sum: nalgebra::Vector2<f64> = of.iter().map(|node| self.network.point(*node).coords).sum();
         let at = Point::from(sum / of.len() as f64);
         let all_stop = members.iter().any(|node| self.network.marks.get(node).is_some_and(|marks| marks.all_stop));
         let control = match () {
@@ -53,7 +53,8 @@ impl Emitter<'_> {
             () if all_stop => Control::AllWayStop,
             () => Control::Priority,
         };
-        let source = members.iter().map(|node| self.network.data.nodes[*node as usize].id).collect();
+        let source: Vec<i64> = members.iter().map(|node| self.network.source.nodes[*node as usize].id).collect();
+        source.iter().for_each(|id| self.network.source.keep(Element::Node(*id)));
         let id = JunctionId::of(self.draft.junctions.len());
         self.draft.junctions.push(JunctionDraft { at: at.into(), control, source });
         self.ids.insert(head, id);
@@ -62,12 +63,13 @@ impl Emitter<'_> {
 
     fn road(&mut self, piece: &Piece, lit: &BTreeSet<u32>, report: &mut ImportReport) {
         let [first, last] = piece.ends();
-        let within = self.clusters.of(first) == self.clusters.of(last) && first != last;
-        if within && piece.length < 100.0 {
-            return report.drop(Element::Way(piece.way), Reason::WithinJunction);
+        let mut drop = |reason| piece.ways.iter().for_each(|way| report.drop(Element::Way(*way), reason));
+        let closed = self.clusters.of(first) == self.clusters.of(last);
+        if closed && first != last && piece.length < 100.0 {
+            return drop(Reason::WithinJunction);
         }
         // A way that comes back to its junction is two roads, which meet in its middle.
-        if self.clusters.of(first) == self.clusters.of(last) && piece.nodes.len() > 2 {
+        if closed && piece.nodes.len() > 2 {
             let (before, after) = piece.nodes.split_at(piece.nodes.len() / 2);
             let middle = after[0];
             let before = before.iter().copied().chain([middle]).collect();
@@ -78,14 +80,22 @@ impl Emitter<'_> {
         }
         let ends = [self.junction(first, lit), self.junction(last, lit)];
         if ends[0] == ends[1] {
-            return report.drop(Element::Way(piece.way), Reason::WithinJunction);
+            return drop(Reason::WithinJunction);
         }
         if ends.iter().any(|end| self.arms(*end) >= crate::build::MOST_ARMS - 2) {
-            return report.drop(Element::Way(piece.way), Reason::TooManyMeet);
+            return drop(Reason::TooManyMeet);
         }
+        let id = self.add(piece, ends);
+        for node in [first, last] {
+            self.roads.entry(self.clusters.of(node)).or_default().push(id);
+        }
+    }
+
+    /// Adds a road between two junctions.
+    fn add(&mut self, piece: &Piece, ends: [JunctionId; 2]) -> RoadId {
+        piece.ways.iter().for_each(|way| self.network.source.keep(Element::Way(*way)));
         let street = self.network.street(piece);
-        let line = piece.nodes.iter().map(|node| self.network.points[*node as usize].into()).collect();
-        let id = RoadId::of(self.draft.roads.len());
+        let line = piece.nodes.iter().map(|node| self.network.point(*node).into()).collect();
         self.draft.roads.push(RoadDraft {
             from: ends[0],
             to: ends[1],
@@ -98,16 +108,14 @@ impl Emitter<'_> {
             roundabout: street.roundabout,
             slip: street.slip,
             private: street.private,
-            source: piece.way,
+            source: piece.ways.clone(),
         });
-        for node in [first, last] {
-            self.roads.entry(self.clusters.of(node)).or_default().push(id);
-        }
+        RoadId::of(self.draft.roads.len() - 1)
     }
 
     fn arms(&self, junction: JunctionId) -> usize {
         let source = self.draft.junctions[junction.index()].source.first();
-        let head = source.and_then(|id| self.network.data.node(*id)).map(|node| self.clusters.of(node as u32));
+        let head = source.and_then(|id| self.network.source.node(*id)).map(|node| self.clusters.of(node as u32));
         head.and_then(|head| self.roads.get(&head)).map_or(0, Vec::len)
     }
 
@@ -120,13 +128,13 @@ impl Emitter<'_> {
             }
             let head = self.clusters.of(*node);
             let Some(at) = self.ids.get(&head).copied() else { continue };
-            let point = self.network.points[*node as usize];
+            let point = self.network.point(*node);
             let street = |road: &&RoadId| self.draft.roads[road.index()].class.is_street();
             let away = |road: &RoadId| self.away(*road, &point);
             let roads = self.roads.get(&head).into_iter().flatten().filter(street);
             let nearest = roads.map(|road| (away(road), *road)).min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
             let Some((_, road)) = nearest.filter(|(away, _)| *away < ON_ARM) else { continue };
-            let source = self.network.data.nodes[*node as usize].id;
+            let source = self.network.source.nodes[*node as usize].id;
             self.draft.crossings.push(CrossingDraft { at, road, kind, island: marks.island, source });
         }
     }

@@ -50,7 +50,4 @@ pub enum OsmError {
     /// The file has no node at which a way could be.
     #[error("the file has no ways with nodes: there is nothing to make a map of")]
     Empty,
-    /// The map cannot be built.
-    #[error(transparent)]
-    Map(#[from] crate::MapError),
 }

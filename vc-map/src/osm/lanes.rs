@@ -1,62 +1,116 @@
-//! The cross-section of a street from its tags.
+//! The lanes for vehicles of a street from its tags.
 
-use super::data::Tags;
+use super::beside;
+use super::tags::Tags;
+use super::units::metres;
 use super::{Element, Guessed, ImportReport};
 use crate::{CrossSection, DrivingSide, RoadClass, Strip, StripKind, Turns, Users};
 
 /// The width of a lane for bicycles, metres.
-const CYCLE: f64 = 1.8;
+pub(super) const CYCLE: f64 = 1.8;
+/// The width of each half of a lane for both directions, metres.
+const HALF: f64 = 2.0;
+/// The most lanes of one direction.
+const MOST: usize = 20;
 
 /// The tags of a street, and what is known of it already.
 pub(super) struct LaneTags<'a> {
     pub(super) tags: Tags<'a>,
+    pub(super) element: Element,
     pub(super) class: RoadClass,
     pub(super) slip: bool,
     pub(super) one_way: bool,
     pub(super) users: Users,
-    pub(super) limit: f64,
+    /// Along the road and against it, metres per second.
+    pub(super) limits: [f64; 2],
     pub(super) side: DrivingSide,
     pub(super) reversed: bool,
 }
 
-impl LaneTags<'_> {
+/// The number of lanes.
+struct Count {
+    /// Along the road and against it.
+    sides: [u32; 2],
+    /// For both, in the middle.
+    middle: u32,
+    guessed: bool,
+    /// Whether one lane is for both directions.
+    shared: bool,
+}
+
+impl<'a> LaneTags<'a> {
+    /// The word for a direction in tags, which go by the order of the way's nodes.
+    fn word(&self, forward: bool) -> &'static str {
+        if forward != self.reversed { "forward" } else { "backward" }
+    }
+
+    /// The hand, by the order of the way's nodes, on which the outer edge of a direction lies.
+    pub(super) fn hand(&self, forward: bool) -> &'static str {
+        if ((self.side == DrivingSide::Right) == forward) != self.reversed { "right" } else { "left" }
+    }
+
+    pub(super) fn limit(&self, forward: bool) -> f64 {
+        self.limits[usize::from(!forward)]
+    }
+
     /// The value of a key for a direction: `lanes:forward`, or on one-way streets `lanes`.
-    fn of(&self, key: &str, forward: bool) -> Option<&str> {
-        let suffix = if forward != self.reversed { "forward" } else { "backward" };
-        self.tags.get(&format!("{key}:{suffix}")).or_else(|| self.tags.get(key).filter(|_| self.one_way))
+    fn of<T>(&self, key: &str, forward: bool, understand: impl Fn(&'a str) -> Option<T>) -> Option<T> {
+        let own = self.tags.read(&format!("{key}:{}", self.word(forward)), &understand);
+        let all = || self.tags.read(key, &understand).filter(|_| self.one_way && forward);
+        own.or_else(all)
     }
 
     fn number(&self, key: &str) -> Option<u32> {
-        let text = self.tags.get(key)?.split(';').next()?.trim();
-        text.parse::<f64>().ok().filter(|n| (0.5..=20.0).contains(n)).map(|n| n.ceil() as u32)
+        let count = |text: &str| text.split(';').next()?.trim().parse::<f64>().ok();
+        self.tags.read(key, |text| count(text).filter(|n| (0.5..=20.0).contains(n)).map(|n| n.ceil() as u32))
     }
 
-    /// The lanes of one direction. As SUMO's map of types has it, main roads have two where nothing is mapped.
-    fn count(&self, forward: bool) -> (u32, bool) {
-        if self.one_way && !forward {
-            return (0, false);
-        }
-        let own = if forward != self.reversed { "lanes:forward" } else { "lanes:backward" };
-        if let Some(count) = self.number(own) {
-            return (count, false);
-        }
-        let marked = self.of("turn:lanes", forward).map(|text| text.split('|').count() as u32).filter(|n| *n <= 20);
+    /// The lanes of both directions. As SUMO's map of types has it, main roads have two where nothing is mapped.
+    fn count(&self) -> Count {
+        let own = [true, false].map(|forward| self.number(&format!("lanes:{}", self.word(forward))));
+        let (all, middle) = (self.number("lanes"), self.number("lanes:both_ways").unwrap_or(0));
         let usual = if self.class <= RoadClass::Primary && !self.slip { 2 } else { 1 };
-        match self.number("lanes") {
-            Some(all) if self.one_way => (all, false),
-            Some(all) => {
-                let other = if forward != self.reversed { "lanes:backward" } else { "lanes:forward" };
-                let left = self.number(other).map(|other| all.saturating_sub(other));
-                (left.unwrap_or(if forward { all.div_ceil(2) } else { all / 2 }).max(1), false)
-            }
-            None => (marked.unwrap_or(usual), marked.is_none()),
+        let marked = [true, false].map(|forward| {
+            let count = |text: &str| Some(text.split('|').count()).filter(|n| *n <= MOST).map(|n| n as u32);
+            self.of("turn:lanes", forward, count)
+        });
+        if self.one_way {
+            let against = own[1].unwrap_or_else(|| u32::from(self.buses_against()));
+            let along = own[0].or(all.map(|all| all.saturating_sub(against).max(1))).or(marked[0]);
+            return Count {
+                sides: [along.unwrap_or(usual), against],
+                middle: 0,
+                guessed: along.is_none(),
+                shared: false,
+            };
+        }
+        let left = all.map(|all| all.saturating_sub(middle));
+        let half = left.map(|left| [left.div_ceil(2), left / 2]);
+        let side = |index: usize| {
+            let rest = left.zip(own[1 - index]).map(|(left, other)| left.saturating_sub(other).max(1));
+            own[index].or(rest).or(half.map(|half| half[index].max(1))).or(marked[index].filter(|_| all.is_none()))
+        };
+        let sides = [side(0), side(1)];
+        Count {
+            sides: sides.map(|count| count.unwrap_or(usual)),
+            middle,
+            guessed: sides.contains(&None),
+            shared: all == Some(1) && own == [None, None],
         }
     }
 
-    /// The width of a lane, metres (B1 of the note on places).
-    fn width(&self, lanes: u32) -> f64 {
-        let given = self.tags.get("width").and_then(|text| text.trim_end_matches('m').trim().parse::<f64>().ok());
+    /// Whether buses go against a one-way street.
+    fn buses_against(&self) -> bool {
+        let free = ["oneway:bus", "oneway:psv"].iter().any(|key| self.tags.is(key, "no"));
+        self.tags.is("busway", "opposite_lane") || free
+    }
+
+    /// The width of each of some lanes, metres. Where it is not mapped, it is that of streets in towns: 2.75 m suffice at 30 km/h,
+    /// 3.5 m are usual from 70 km/h on.
+    fn width(&self, count: &Count, report: &mut ImportReport) -> f64 {
+        let lanes = count.sides[0] + count.sides[1] + count.middle;
         let usual = match self.class {
+            _ if count.shared => HALF,
             RoadClass::Motorway | RoadClass::Trunk => 3.5,
             RoadClass::Primary | RoadClass::Secondary => 3.25,
             RoadClass::Tertiary => 3.0,
@@ -64,89 +118,130 @@ impl LaneTags<'_> {
             _ if self.one_way && lanes == 1 => 3.5,
             _ => 2.75,
         };
-        given.map(|width| width / f64::from(lanes.max(1))).filter(|width| (2.0..=4.5).contains(width)).unwrap_or(usual)
+        let each = |text| metres(text).map(|width| width / f64::from(lanes.max(1)));
+        let least = if count.shared { 1.25 } else { 2.0 };
+        let given = self.tags.read("width", |text| each(text).filter(|width| (least..=4.5).contains(width)));
+        given.unwrap_or_else(|| {
+            report.guess(self.element, Guessed::Width(usual));
+            usual
+        })
     }
 }
 
 /// The lanes of both directions, without pavements.
-pub(super) fn section(lane: &LaneTags<'_>, element: Element, report: &mut ImportReport) -> CrossSection {
-    let (forward, guessed) = lane.count(true);
-    let (backward, also) = lane.count(false);
-    if guessed || also {
-        report.guess(element, Guessed::Lanes(forward + backward));
-    }
-    let width = lane.width(forward + backward);
+pub(super) fn section(lane: &LaneTags<'_>, report: &mut ImportReport) -> CrossSection {
+    let count = lane.count();
+    let guesses = [
+        (count.guessed, Guessed::Lanes(count.sides[0] + count.sides[1])),
+        (count.shared, Guessed::SharedLane),
+        (count.middle > 0, Guessed::MiddleLane),
+    ];
+    guesses.into_iter().filter(|(made, _)| *made).for_each(|(_, guessed)| report.guess(lane.element, guessed));
+    let width = lane.width(&count, report);
     let mut section = CrossSection {
-        forward: driving(lane, true, forward, width, element, report),
-        backward: driving(lane, false, backward, width, element, report),
-        median: 0.0,
+        forward: driving(lane, true, count.sides[0], width, report),
+        backward: driving(lane, false, count.sides[1], width, report),
+        median: f64::from(count.middle) * width,
     };
-    for forward in [true, false] {
-        let strips = if forward { &mut section.forward } else { &mut section.backward };
-        beside(lane, forward, strips);
-    }
+    beside::beside(lane, &mut section, report);
     section
 }
 
 /// The lanes for vehicles of one direction, from the divider outward.
-fn driving(
-    lane: &LaneTags<'_>,
-    forward: bool,
-    count: u32,
-    width: f64,
-    element: Element,
-    report: &mut ImportReport,
-) -> Vec<Strip> {
-    let users = lane.users.without(Users::FOOT);
-    let mut strips = vec![Strip::new(StripKind::Driving, width, users, lane.limit); count as usize];
-    if let Some(marks) = lane.of("turn:lanes", forward) {
-        let marks: Vec<Turns> = marks.split('|').map(turns).collect();
-        if marks.len() == strips.len() {
-            ordered(lane.side, &mut strips, marks, |strip, turns| strip.turns = turns);
-        } else if count > 0 {
-            report.guess(element, Guessed::TurnLanes);
-        }
+fn driving(lane: &LaneTags<'_>, forward: bool, count: u32, width: f64, report: &mut ImportReport) -> Vec<Strip> {
+    let against = lane.one_way && !forward;
+    let users = if against { Users::BUS } else { lane.users.without(Users::FOOT) };
+    let mut strips = vec![Strip::new(StripKind::Driving, width, users, lane.limit(forward)); count as usize];
+    cycle_lanes(lane, forward, &mut strips);
+    let marked = listed(lane, "turn:lanes", forward, &mut strips, |strip, text| strip.turns = turns(text));
+    if !marked && count > 0 && lane.of("turn:lanes", forward, |_| Some(())).is_some() {
+        report.guess(lane.element, Guessed::TurnLanes);
     }
-    for (key, user) in [("bus:lanes", Users::BUS), ("psv:lanes", Users::BUS), ("bicycle:lanes", Users::BICYCLE)] {
-        listed(lane, key, forward, &mut strips, |strip, value| {
-            if value == "designated" {
-                strip.users = strip.users.without(Users::CAR) | user;
-            }
-        });
-    }
-    for key in ["vehicle:lanes", "motor_vehicle:lanes", "access:lanes"] {
+    let closed = [
+        ("access:lanes", Users::TRAFFIC),
+        ("vehicle:lanes", Users::TRAFFIC),
+        ("motor_vehicle:lanes", Users::CAR | Users::BUS),
+        ("motorcar:lanes", Users::CAR),
+    ];
+    for (key, users) in closed {
         listed(lane, key, forward, &mut strips, |strip, value| {
             if value == "no" {
-                strip.users = strip.users.without(Users::CAR);
+                strip.users = strip.users.without(users);
             }
         });
     }
-    let counted = ["lanes:bus", "lanes:psv"].iter().any(|key| lane.of(key, forward).is_some_and(|n| n != "0"));
-    let own = side_key(lane, "busway", forward).is_some_and(|value| value == "lane");
-    let is_bus = |strip: &Strip| !strip.users.has(Users::CAR);
-    if (counted || own) && strips.len() > 1 && !strips.iter().any(is_bus) {
-        let last = strips.len() - 1;
-        strips[last].users = strips[last].users.without(Users::CAR);
+    // A lane for bicycles is one for buses as well only if a list of theirs says so, which comes later.
+    let opened = [
+        ("bicycle:lanes", Users::BICYCLE, Users::CAR | Users::BUS),
+        ("bus:lanes", Users::BUS, Users::CAR),
+        ("psv:lanes", Users::BUS, Users::CAR),
+    ];
+    for (key, user, others) in opened {
+        listed(lane, key, forward, &mut strips, |strip, value| match value {
+            "yes" | "permissive" => strip.users = strip.users | user,
+            "designated" => strip.users = strip.users.without(others) | user,
+            "no" => strip.users = strip.users.without(user),
+            _ => {}
+        });
     }
+    bus_lane(lane, forward, &mut strips);
     strips
 }
 
-/// Applies a list of values, from the left to the right, to lanes from the divider outward.
-fn ordered<T>(side: DrivingSide, strips: &mut [Strip], values: Vec<T>, mut apply: impl FnMut(&mut Strip, T)) {
-    let count = strips.len();
-    for (index, value) in values.into_iter().enumerate().take(count) {
-        let at = if side == DrivingSide::Right { index } else { count - 1 - index };
-        apply(&mut strips[at], value);
+/// The last lane is one for buses where their number is given, not their place.
+fn bus_lane(lane: &LaneTags<'_>, forward: bool, strips: &mut [Strip]) {
+    let some = |text: &str| Some(text != "0");
+    let counted = ["lanes:bus", "lanes:psv"].iter().any(|key| lane.of(key, forward, some) == Some(true));
+    let own = beside::value(lane, "busway", forward, |value| (value == "lane").then_some(())).is_some();
+    let driven = strips.iter().filter(|strip| strip.kind == StripKind::Driving).count();
+    let has = strips.iter().any(|strip| strip.users.has(Users::BUS) && !strip.users.has(Users::CAR));
+    if let Some(last) = strips.iter_mut().rfind(|strip| strip.kind == StripKind::Driving)
+        && (counted || own)
+        && driven > 1
+        && !has
+    {
+        last.users = last.users.without(Users::CAR);
     }
 }
 
-fn listed(lane: &LaneTags<'_>, key: &str, forward: bool, strips: &mut [Strip], apply: impl FnMut(&mut Strip, &str)) {
-    if let Some(text) = lane.of(key, forward) {
-        let values: Vec<&str> = text.split('|').map(str::trim).collect();
-        if values.len() == strips.len() {
-            ordered(lane.side, strips, values, apply);
+/// Lanes for bicycles between those for others: `lanes` does not count them, and lists of lanes have them.
+fn cycle_lanes(lane: &LaneTags<'_>, forward: bool, strips: &mut Vec<Strip>) {
+    let count = strips.len();
+    let marks = lane.of("bicycle:lanes", forward, |text| {
+        let mut marks: Vec<bool> = text.split('|').map(|value| value.trim() == "designated").collect();
+        let own = marks.iter().filter(|own| **own).count();
+        if lane.side == DrivingSide::Left {
+            marks.reverse();
         }
+        (own > 0 && marks.len() == count + own && marks.len() <= MOST).then_some(marks)
+    });
+    for (index, _) in marks.unwrap_or_default().into_iter().enumerate().filter(|(_, own)| *own) {
+        strips.insert(index, beside::cycle(lane, forward));
     }
+}
+
+/// Applies a list of values, which go from the left to the right, to lanes, which go from the divider outward: to all of them, or
+/// to those for motor vehicles. False if the list is of neither number.
+fn listed(
+    lane: &LaneTags<'_>,
+    key: &str,
+    forward: bool,
+    strips: &mut [Strip],
+    mut apply: impl FnMut(&mut Strip, &str),
+) -> bool {
+    let mut values = lane.of(key, forward, |text| {
+        let values: Vec<&str> = text.split('|').map(str::trim).collect();
+        let motor = strips.iter().filter(|strip| strip.kind == StripKind::Driving).count();
+        (values.len() == strips.len() || values.len() == motor).then_some(values)
+    });
+    let Some(values) = &mut values else { return false };
+    if lane.side == DrivingSide::Left {
+        values.reverse();
+    }
+    let all = values.len() == strips.len();
+    let meant = strips.iter_mut().filter(|strip| all || strip.kind == StripKind::Driving);
+    meant.zip(values).for_each(|(strip, value)| apply(strip, value));
+    true
 }
 
 /// The directions of a lane, as in `left;through`.
@@ -160,80 +255,4 @@ fn turns(text: &str) -> Turns {
             _ => Turns::NONE,
         }
     })
-}
-
-/// The value of a key for the outer edge of one direction: `cycleway:right`, `cycleway:both` or `cycleway`.
-fn side_key<'a>(lane: &LaneTags<'a>, key: &str, forward: bool) -> Option<&'a str> {
-    let right = ((lane.side == DrivingSide::Right) == forward) != lane.reversed;
-    let own = format!("{key}:{}", if right { "right" } else { "left" });
-    let both = format!("{key}:both");
-    lane.tags
-        .get(&own)
-        .or_else(|| lane.tags.get(&both))
-        .or_else(|| lane.tags.get(key).filter(|_| forward || !lane.one_way))
-}
-
-/// Lanes for bicycles and for parking beside those for vehicles.
-fn beside(lane: &LaneTags<'_>, forward: bool, strips: &mut Vec<Strip>) {
-    let against = lane.one_way && !forward;
-    let cycle = side_key(lane, "cycleway", forward).unwrap_or_default();
-    let opposite = against && lane.tags.is("cycleway", "opposite|opposite_lane|opposite_track");
-    let contra = against && lane.tags.is("oneway:bicycle", "no") && matches!(cycle, "lane" | "track");
-    if (matches!(cycle, "lane" | "track") && !against) || opposite || contra {
-        strips.push(Strip::new(StripKind::Cycle, CYCLE, Users::BICYCLE, lane.limit.min(7.0)));
-    }
-    let orientation = |value: &str| match value {
-        "perpendicular" => Some(5.0),
-        "diagonal" => Some(4.2),
-        "parallel" | "lane" | "street_side" | "half_on_kerb" | "marked" => Some(2.1),
-        _ => None,
-    };
-    let old = side_key(lane, "parking:lane", forward).and_then(orientation);
-    let new = side_key(lane, "parking", forward).filter(|value| !matches!(*value, "no" | "separate"));
-    let way = if ((lane.side == DrivingSide::Right) == forward) != lane.reversed { "right" } else { "left" };
-    let stands =
-        lane.tags.get(&format!("parking:{way}:orientation")).or_else(|| lane.tags.get("parking:both:orientation"));
-    let width = old.or_else(|| new.and_then(|value| stands.and_then(orientation).or_else(|| orientation(value))));
-    if let Some(width) = width {
-        strips.push(Strip::new(StripKind::Parking, width, Users::NONE, 2.0));
-    }
-}
-
-/// Adds pavements; true if they were guessed.
-pub(super) fn pavements(lane: &LaneTags<'_>, section: &mut CrossSection) -> bool {
-    let urban = matches!(
-        lane.class,
-        RoadClass::Primary | RoadClass::Secondary | RoadClass::Tertiary | RoadClass::Minor | RoadClass::Residential
-    );
-    let width = match lane.class {
-        RoadClass::Trunk | RoadClass::Primary | RoadClass::Secondary => 4.0,
-        RoadClass::Tertiary => 3.0,
-        _ => 2.4,
-    };
-    let tagged =
-        ["sidewalk", "sidewalk:both", "sidewalk:left", "sidewalk:right"].iter().any(|key| lane.tags.get(key).is_some());
-    let has = |forward: bool| {
-        let right = ((lane.side == DrivingSide::Right) == forward) != lane.reversed;
-        let own = if right { "right" } else { "left" };
-        let all = lane.tags.get("sidewalk").is_some_and(|value| value == "both" || value == "yes" || value == own);
-        let key = if right { "sidewalk:right" } else { "sidewalk:left" };
-        all || lane.tags.is(key, "yes|lane") || lane.tags.is("sidewalk:both", "yes")
-    };
-    let guessed = !tagged && urban && !lane.slip && lane.users.has(Users::FOOT);
-    for forward in [true, false] {
-        if has(forward) || guessed {
-            let strips = if forward { &mut section.forward } else { &mut section.backward };
-            strips.push(Strip::pavement(width));
-        }
-    }
-    let separate = lane.tags.is("sidewalk", "separate") || lane.tags.is("sidewalk:both", "separate");
-    let walked = section.strips().any(|(_, strip)| strip.kind == StripKind::Pavement);
-    if !walked && !separate && lane.users.has(Users::FOOT) && lane.class >= RoadClass::Tertiary {
-        for strip in
-            section.forward.iter_mut().chain(&mut section.backward).filter(|strip| strip.kind == StripKind::Driving)
-        {
-            strip.users = strip.users | Users::FOOT;
-        }
-    }
-    guessed
 }

@@ -1,16 +1,13 @@
 //! OpenStreetMap's PBF, read block by block. A block is unpacked within bounds, so that a small file cannot take much memory.
 
+use super::block::{Block, block, unpacked};
 use super::data::{Element, OsmData};
 use super::wire::{Content, Fields, numbers, summed, unfolded};
-use super::{LARGEST, OsmError};
+use super::words::Full;
+use super::{LARGEST, OsmError, is_on_earth};
 
-/// The largest header and the largest block, unpacked, as the format has them, bytes.
-const HEADER: usize = 64 << 10;
-const BLOCK: usize = 32 << 20;
-/// A block unpacks to at most this many times its bytes; real ones have three times.
-const UNPACKED: usize = 12;
 /// The data takes at most this many times the bytes that were read, and this many bytes more.
-const DENSE: usize = 12;
+const DENSE: usize = 10;
 const SPARE: usize = 256 << 10;
 /// Features of the format that are read.
 const FEATURES: [&[u8]; 2] = [b"OsmSchema-V0.6", b"DenseNodes"];
@@ -44,105 +41,27 @@ impl OsmData {
         while at < file.len() {
             let wrong = |why| OsmError::Pbf { byte: at, why };
             let (kind, blob, next) = block(file, at).map_err(wrong)?;
-            let content = unpacked(blob).map_err(wrong)?;
+            // A block brings the room that its elements may take.
+            data.room.0 += DENSE * (next - at) + if begun { 0 } else { SPARE };
             match kind {
-                b"OSMHeader" => data.header(&content).map_err(wrong)?,
-                b"OSMData" if begun => data.block(&content).map_err(wrong)?,
-                b"OSMData" => return Err(wrong("a block of data comes before the header")),
+                b"OSMHeader" => data.header(&unpacked(blob).map_err(wrong)?).map_err(wrong)?,
+                b"OSMData" if begun => data.block(blob).map_err(wrong)?,
+                _ if !begun => return Err(wrong("the first block is no header")),
                 _ => {}
             }
             begun = true;
             at = next;
-            if data.bytes() > DENSE * at + SPARE {
-                return Err(OsmError::Pbf { byte: at, why: "the blocks hold far more than those of a map" });
-            }
         }
         if !begun {
             return Err(OsmError::Pbf { byte: 0, why: "the file is empty" });
         }
-        data.close();
+        data.close().map_err(|full| OsmError::Pbf { byte: at, why: dense(full) })?;
         Ok(data)
     }
 }
 
-/// The kind and bytes of the block at a byte, and where the next one begins.
-fn block(file: &[u8], at: usize) -> Result<(&[u8], &[u8], usize), &'static str> {
-    const ENDS: &str = "the file ends within a block";
-    let rest = &file[at..];
-    let (length, rest) = rest.split_first_chunk::<4>().ok_or(ENDS)?;
-    let length = u32::from_be_bytes(*length) as usize;
-    if length > HEADER {
-        return Err("the header of a block is too large");
-    }
-    let (header, rest) = rest.split_at_checked(length).ok_or(ENDS)?;
-    let (mut kind, mut size): (&[u8], usize) = (&[], 0);
-    for (field, content) in Fields::new(header) {
-        match (field, content) {
-            (1, Content::Bytes(bytes)) => kind = bytes,
-            (3, Content::Number(number)) => size = usize::try_from(number).unwrap_or(usize::MAX),
-            _ => {}
-        }
-    }
-    let blob = rest.get(..size).ok_or(ENDS)?;
-    Ok((kind, blob, at + 4 + length + size))
-}
-
-/// The content of a blob.
-fn unpacked(blob: &[u8]) -> Result<Vec<u8>, &'static str> {
-    for (field, content) in Fields::new(blob) {
-        match (field, content) {
-            (1, Content::Bytes(raw)) => return Ok(raw.to_vec()),
-            (3, Content::Bytes(packed)) => {
-                let most = (UNPACKED * packed.len() + 4096).min(BLOCK);
-                let unpacked = miniz_oxide::inflate::decompress_to_vec_zlib_with_limit(packed, most);
-                return unpacked.map_err(|_| "a block is not packed by zlib, or unpacks to far more than one of a map");
-            }
-            (4..=7, Content::Bytes(_)) => {
-                return Err("only blocks that are packed by zlib are read: convert with osmium");
-            }
-            _ => {}
-        }
-    }
-    Err("a block has no content")
-}
-
-/// A block of data: its words and how its places are written.
-struct Frame<'a> {
-    words: Vec<&'a str>,
-    granularity: i64,
-    offset: [i64; 2],
-}
-
-impl<'a> Frame<'a> {
-    fn new(block: &'a [u8]) -> Self {
-        let mut frame = Self { words: Vec::new(), granularity: 100, offset: [0; 2] };
-        for (field, content) in Fields::new(block) {
-            match (field, content) {
-                (1, Content::Bytes(table)) => {
-                    let words = Fields::new(table).filter_map(|(field, content)| match content {
-                        Content::Bytes(word) if field == 1 => Some(std::str::from_utf8(word).unwrap_or_default()),
-                        _ => None,
-                    });
-                    frame.words.extend(words);
-                }
-                (17, Content::Number(number)) => frame.granularity = number as i64,
-                (19, Content::Number(number)) => frame.offset[0] = number as i64,
-                (20, Content::Number(number)) => frame.offset[1] = number as i64,
-                _ => {}
-            }
-        }
-        frame
-    }
-
-    fn word(&self, number: u64) -> &'a str {
-        usize::try_from(number).ok().and_then(|number| self.words.get(number)).copied().unwrap_or_default()
-    }
-
-    /// Degrees of latitude and longitude.
-    fn degrees(&self, place: [i64; 2]) -> [f64; 2] {
-        let nano = |axis: usize| self.offset[axis].wrapping_add(self.granularity.wrapping_mul(place[axis]));
-        [0, 1].map(|axis| nano(axis) as f64 * 1e-9)
-    }
+fn dense(_: Full) -> &'static str {
+    "the blocks hold far more than those of a map"
 }
 
 /// The lists of an element: by the number of their field.
@@ -194,19 +113,20 @@ impl OsmData {
         Ok(())
     }
 
-    fn block(&mut self, block: &[u8]) -> Result<(), &'static str> {
-        let frame = Frame::new(block);
-        let mut fields = Fields::new(block);
+    fn block(&mut self, blob: &[u8]) -> Result<(), &'static str> {
+        let content = unpacked(blob)?;
+        let mut block = Block::new(&content, blob.len())?;
+        let mut fields = Fields::new(&content);
         for (field, content) in &mut fields {
             let (2, Content::Bytes(group)) = (field, content) else { continue };
             let mut elements = Fields::new(group);
             for (kind, content) in &mut elements {
                 let Content::Bytes(message) = content else { continue };
                 match kind {
-                    1 => self.node_message(&frame, message)?,
-                    2 => self.dense(&frame, message)?,
-                    3 => self.way_message(&frame, message)?,
-                    4 => self.relation_message(&frame, message)?,
+                    1 => self.node_message(&mut block, message)?,
+                    2 => self.dense(&mut block, message)?,
+                    3 => self.way_message(&mut block, message)?,
+                    4 => self.relation_message(&mut block, message)?,
                     _ => {}
                 }
             }
@@ -217,23 +137,30 @@ impl OsmData {
         if fields.broken { Err(BROKEN) } else { Ok(()) }
     }
 
-    fn tags_of(&mut self, frame: &Frame<'_>, lists: &Lists<'_>) {
-        for (key, value) in numbers(lists.lists[2]).zip(numbers(lists.lists[3])) {
-            self.add_tag(frame.word(key), frame.word(value));
-        }
+    fn tag_of(&mut self, block: &mut Block<'_>, key: u64, value: u64) -> Result<(), &'static str> {
+        let tag = block.word(self, key).and_then(|key| Ok([key, block.word(self, value)?]));
+        tag.and_then(|tag| self.add_tag(tag)).map_err(dense)
+    }
+
+    fn tags_of(&mut self, block: &mut Block<'_>, lists: &Lists<'_>) -> Result<(), &'static str> {
+        let mut tags = numbers(lists.lists[2]).zip(numbers(lists.lists[3]));
+        tags.try_for_each(|(key, value)| self.tag_of(block, key, value))
     }
 
     fn place(&mut self, id: i64, at: [f64; 2], open: &super::data::Open) -> Result<(), &'static str> {
-        self.add_node(id, at, open).map_err(|_| "a node is not on Earth")
+        if !is_on_earth(at) {
+            return Err("a node is not on Earth");
+        }
+        self.add_node(id, at, open).map_err(dense)
     }
 
-    fn node_message(&mut self, frame: &Frame<'_>, message: &[u8]) -> Result<(), &'static str> {
+    fn node_message(&mut self, block: &mut Block<'_>, message: &[u8]) -> Result<(), &'static str> {
         let (lists, open) = (Lists::new(message)?, self.open());
-        self.tags_of(frame, &lists);
-        self.place(unfolded(lists.id), frame.degrees(lists.numbers.map(unfolded)), &open)
+        self.tags_of(block, &lists)?;
+        self.place(unfolded(lists.id), block.degrees(lists.numbers.map(unfolded)), &open)
     }
 
-    fn dense(&mut self, frame: &Frame<'_>, message: &[u8]) -> Result<(), &'static str> {
+    fn dense(&mut self, block: &mut Block<'_>, message: &[u8]) -> Result<(), &'static str> {
         let lists = Lists::new(message)?;
         let mut tags = numbers(lists.lists[10]);
         let places = summed(lists.lists[8]).zip(summed(lists.lists[9]));
@@ -241,24 +168,23 @@ impl OsmData {
             let open = self.open();
             // Keys and values in turn, a zero behind those of each node.
             while let Some(key) = tags.next().filter(|key| *key != 0) {
-                self.add_tag(frame.word(key), frame.word(tags.next().unwrap_or(0)));
+                self.tag_of(block, key, tags.next().unwrap_or(0))?;
             }
-            self.place(id, frame.degrees([latitude, longitude]), &open)?;
+            self.place(id, block.degrees([latitude, longitude]), &open)?;
         }
         Ok(())
     }
 
-    fn way_message(&mut self, frame: &Frame<'_>, message: &[u8]) -> Result<(), &'static str> {
+    fn way_message(&mut self, block: &mut Block<'_>, message: &[u8]) -> Result<(), &'static str> {
         let (lists, open) = (Lists::new(message)?, self.open());
-        self.tags_of(frame, &lists);
-        summed(lists.lists[8]).for_each(|node| self.add_ref(node));
-        self.add_way(lists.id as i64, &open);
-        Ok(())
+        self.tags_of(block, &lists)?;
+        summed(lists.lists[8]).try_for_each(|node| self.add_ref(node)).map_err(dense)?;
+        self.add_way(lists.id as i64, &open).map_err(dense)
     }
 
-    fn relation_message(&mut self, frame: &Frame<'_>, message: &[u8]) -> Result<(), &'static str> {
+    fn relation_message(&mut self, block: &mut Block<'_>, message: &[u8]) -> Result<(), &'static str> {
         let (lists, open) = (Lists::new(message)?, self.open());
-        self.tags_of(frame, &lists);
+        self.tags_of(block, &lists)?;
         let members = summed(lists.lists[9]).zip(numbers(lists.lists[10])).zip(numbers(lists.lists[8]));
         for ((id, kind), role) in members {
             let element = match kind {
@@ -266,9 +192,9 @@ impl OsmData {
                 1 => Element::Way(id),
                 _ => Element::Relation(id),
             };
-            self.add_member(element, frame.word(role));
+            let role = block.word(self, role).map_err(dense)?;
+            self.add_member(element, role).map_err(dense)?;
         }
-        self.add_relation(lists.id as i64, &open);
-        Ok(())
+        self.add_relation(lists.id as i64, &open).map_err(dense)
     }
 }

@@ -2,57 +2,122 @@
 
 use std::collections::BTreeMap;
 
-use super::data::Tags;
-use super::rings::Shape;
-use super::{Element, Guessed, ImportReport, OsmData, Reason};
+use super::rings::Surface;
+use super::tags::{Source, Tags};
+use super::units::{metres, number};
+use super::{Element, Guessed, ImportReport, Reason};
 use crate::index::PointIndex;
 use crate::{
     Area, AreaKind, Building, BuildingId, EntranceDraft, MapDraft, Point, Polyline, StopDraft, StopKind, Users,
 };
 
-/// The height of a storey where nothing is mapped, metres (B4 of the note on places).
+/// The height of a storey where nothing is mapped, metres.
 const STOREY: f64 = 3.1;
 /// A door is looked for on the side towards a way that is at most this far, metres.
 const WAY: f64 = 60.0;
 
-pub(super) fn places(data: &OsmData, points: &[Point], draft: &mut MapDraft, report: &mut ImportReport) {
-    let mut doors: BTreeMap<i64, BuildingId> = BTreeMap::new();
-    for relation in &data.relations {
-        let tags = data.relation_tags(relation);
-        if !tags.is("type", "multipolygon|building") || what(tags).is_none() {
-            continue;
-        }
-        let shapes = data.multipolygon(relation, points);
-        if shapes.is_empty() {
-            report.drop(Element::Relation(relation.id), Reason::CutOff);
-        }
-        shapes
-            .into_iter()
-            .for_each(|shape| add(draft, Element::Relation(relation.id), tags, shape, &mut doors, report));
-    }
-    for way in &data.ways {
-        let tags = data.way_tags(way);
-        let Some(what) = what(tags) else { continue };
-        match data.ring(way, points) {
-            Some(shape) => add(draft, Element::Way(way.id), tags, shape, &mut doors, report),
-            None if matches!(what, What::Area(AreaKind::Water | AreaKind::Platform)) => {}
-            None => report.drop(Element::Way(way.id), Reason::NoShape),
-        }
-    }
-    nodes(data, points, draft, &doors);
-    guess_doors(draft, report);
+/// Multipolygons have at most so many points for each that the ways of the file have: a way is part of some areas, not of all.
+const SHARED: usize = 4;
+
+pub(super) fn places(source: &Source<'_>, draft: &mut MapDraft, report: &mut ImportReport) {
+    let mut places = Places { source, draft, report, doors: BTreeMap::new(), buildings: Vec::new() };
+    places.relations();
+    places.ways();
+    places.nodes();
+    places.guess_doors();
 }
 
-enum What {
+struct Places<'a> {
+    source: &'a Source<'a>,
+    draft: &'a mut MapDraft,
+    report: &'a mut ImportReport,
+    /// The buildings on whose outlines nodes lie.
+    doors: BTreeMap<i64, BuildingId>,
+    /// The element that each building was made from.
+    buildings: Vec<Element>,
+}
+
+/// The use that a map has for an area.
+#[derive(Clone, Copy)]
+enum Place {
     Building,
     Area(AreaKind),
 }
 
+impl Places<'_> {
+    fn relations(&mut self) {
+        let source = self.source;
+        let mut room = SHARED * source.ways.iter().map(|way| source.refs(way).len()).sum::<usize>();
+        for relation in &source.relations {
+            let (tags, element) = (source.relation_tags(relation), Element::Relation(relation.id));
+            let Some(place) = place(tags).filter(|_| tags.is("type", "multipolygon|building")) else { continue };
+            let found = source.multipolygon(relation);
+            let none = found.areas.is_empty();
+            let reason = |reason: &Reason| if none { *reason } else { in_part(*reason) };
+            found.lacks.iter().for_each(|lack| self.report.drop(element, reason(lack)));
+            if none {
+                self.report.drop(element, found.lacks.first().copied().unwrap_or(Reason::CutOff));
+                continue;
+            }
+            let size = found.areas.iter().map(Surface::size).sum();
+            let Some(left) = room.checked_sub(size) else {
+                self.report.drop(element, Reason::NamedTooOften);
+                continue;
+            };
+            room = left;
+            found.ways.iter().for_each(|way| source.keep(Element::Way(*way)));
+            found.areas.into_iter().for_each(|area| self.add(element, place, tags, area));
+        }
+    }
+
+    fn ways(&mut self) {
+        for way in &self.source.ways {
+            let (tags, element) = (self.source.way_tags(way), Element::Way(way.id));
+            let Some(place) = place(tags) else { continue };
+            match self.source.ring(way) {
+                Ok(area) => self.add(element, place, tags, area),
+                // A street can have the tags of an area as well.
+                Err(_) if self.source.is_kept(element) => {}
+                Err(reason) => self.report.drop(element, reason),
+            }
+        }
+    }
+
+    fn add(&mut self, element: Element, place: Place, tags: Tags<'_>, area: Surface) {
+        self.source.keep(element);
+        let plain = |ring: &Vec<Point>| ring.iter().map(|p| [p.x, p.y]).collect::<Vec<_>>();
+        let (outline, holes) = (plain(&area.outline), area.holes.iter().map(plain).collect());
+        match place {
+            Place::Building => {
+                let id = BuildingId::of(self.draft.buildings.len());
+                let building = building(element, tags, outline, holes, self.report);
+                if !building.part {
+                    area.nodes.iter().for_each(|node| _ = self.doors.entry(*node).or_insert(id));
+                }
+                self.draft.buildings.push(building);
+                self.buildings.push(element);
+            }
+            Place::Area(kind) => {
+                let name = tags.text("name").map(str::to_owned);
+                self.draft.areas.push(Area { kind, outline, holes, name, source: element.id() });
+            }
+        }
+    }
+}
+
+/// The reason for which an element is there in part only.
+fn in_part(reason: Reason) -> Reason {
+    match reason {
+        Reason::CutOff | Reason::TooFar => Reason::Shortened,
+        Reason::NoShape => Reason::OpenRing,
+        other => other,
+    }
+}
+
 /// Whether something is a building, or an area of some kind.
-fn what(tags: Tags<'_>) -> Option<What> {
-    let yes = |key| tags.get(key).is_some_and(|value| value != "no");
-    if yes("building") || yes("building:part") {
-        return Some(What::Building);
+fn place(tags: Tags<'_>) -> Option<Place> {
+    if tags.yes("building") || tags.yes("building:part") {
+        return Some(Place::Building);
     }
     let green = tags.is("leisure", "park|garden|pitch|playground|golf_course|nature_reserve|common")
         || tags
@@ -71,70 +136,40 @@ fn what(tags: Tags<'_>) -> Option<What> {
         () if tags.is("railway", "platform") || tags.is("public_transport", "platform") => AreaKind::Platform,
         () if tags.is("highway", "pedestrian|footway|service") && tags.is("area", "yes") => AreaKind::Square,
         () if tags.is("highway", "pedestrian") && tags.is("type", "multipolygon") => AreaKind::Square,
-        () if yes("area:highway") => return None,
+        () if tags.yes("area:highway") => return None,
         () if tags.is("landuse", "residential|commercial|retail|industrial|construction") => AreaKind::Lot,
         () => return None,
     };
-    Some(What::Area(kind))
-}
-
-fn add(
-    draft: &mut MapDraft,
-    element: Element,
-    tags: Tags<'_>,
-    shape: Shape,
-    doors: &mut BTreeMap<i64, BuildingId>,
-    report: &mut ImportReport,
-) {
-    let source = match element {
-        Element::Node(id) | Element::Way(id) | Element::Relation(id) => id,
-    };
-    let plain = |ring: &Vec<Point>| ring.iter().map(|p| [p.x, p.y]).collect::<Vec<_>>();
-    let (outline, holes) = (plain(&shape.outline), shape.holes.iter().map(plain).collect());
-    match what(tags) {
-        Some(What::Building) => {
-            let id = BuildingId::of(draft.buildings.len());
-            let building = building(element, source, tags, outline, holes, report);
-            if !building.part {
-                shape.nodes.iter().for_each(|node| _ = doors.entry(*node).or_insert(id));
-            }
-            draft.buildings.push(building);
-        }
-        Some(What::Area(kind)) => {
-            draft.areas.push(Area { kind, outline, holes, name: tags.get("name").map(str::to_owned), source });
-        }
-        None => {}
-    }
+    Some(Place::Area(kind))
 }
 
 fn building(
     element: Element,
-    source: i64,
     tags: Tags<'_>,
     outline: Vec<[f64; 2]>,
     courts: Vec<Vec<[f64; 2]>>,
     report: &mut ImportReport,
 ) -> Building {
-    let levels = tags.get("building:levels").and_then(number).map(|n| n.clamp(0.0, 200.0).round() as u32);
-    let height = tags.get("height").or_else(|| tags.get("building:height")).and_then(metres);
+    let levels = tags.read("building:levels", number).map(|n| n.clamp(0.0, 200.0).round() as u32);
+    let height = tags.read("height", metres).or_else(|| tags.read("building:height", metres));
     let storeys = levels.or_else(|| height.map(|height| ((height / STOREY).round() as u32).max(1)));
     let storeys = storeys.unwrap_or_else(|| {
         let usual = if tags.is("building", "garage|garages|shed|roof|kiosk|hut|carport") { 1 } else { 3 };
         report.guess(element, Guessed::Storeys(usual));
         usual
     });
-    let least = tags.get("min_height").and_then(metres);
-    let below = tags.get("building:min_level").and_then(number).map(|level| level * STOREY);
+    let least = tags.read("min_height", metres);
+    let below = tags.read("building:min_level", number).map(|level| level * STOREY);
     let base = least.or(below).unwrap_or(0.0).clamp(0.0, 900.0);
     let height = height.unwrap_or_else(|| {
-        let roof = tags.get("roof:levels").and_then(number).unwrap_or(0.0).clamp(0.0, 20.0);
+        let roof = tags.read("roof:levels", number).unwrap_or(0.0).clamp(0.0, 20.0);
         let usual = (f64::from(storeys) + roof).max(1.0) * STOREY;
         report.guess(element, Guessed::Height(usual));
         usual
     });
-    let kind = tags.get("building").or_else(|| tags.get("building:part")).unwrap_or("yes").to_owned();
-    let street = tags.get("addr:street").unwrap_or_default();
-    let address = tags.get("addr:housenumber").map(|number| format!("{street} {number}").trim().to_owned());
+    let kind = tags.text("building").or_else(|| tags.text("building:part")).unwrap_or("yes").to_owned();
+    let street = tags.text("addr:street").unwrap_or_default();
+    let address = tags.text("addr:housenumber").map(|number| format!("{street} {number}").trim().to_owned());
     Building {
         outline,
         courts,
@@ -142,71 +177,66 @@ fn building(
         base,
         storeys,
         kind,
-        name: tags.get("name").map(str::to_owned),
+        name: tags.text("name").map(str::to_owned),
         address,
-        part: tags.get("building").is_none(),
-        source,
+        part: !tags.has("building"),
+        source: element.id(),
     }
 }
 
-fn number(text: &str) -> Option<f64> {
-    text.split(';').next()?.trim().replace(',', ".").parse::<f64>().ok().filter(|n| n.is_finite())
-}
-
-/// A length: metres without a unit, with `m`, or feet as `12'` or `12 ft`.
-fn metres(text: &str) -> Option<f64> {
-    let text = text.trim();
-    let digits: String = text.chars().take_while(|c| c.is_ascii_digit() || matches!(c, '.' | ',' | '-')).collect();
-    let value = number(&digits)?;
-    let feet = text[digits.len()..].trim_start().starts_with(['\'', 'f']);
-    Some(if feet { value * 0.3048 } else { value }).filter(|metres| (0.0..=1000.0).contains(metres))
-}
-
-/// Doors and stops at nodes.
-fn nodes(data: &OsmData, points: &[Point], draft: &mut MapDraft, doors: &BTreeMap<i64, BuildingId>) {
-    for (node, point) in data.nodes.iter().zip(points) {
-        let tags = data.node_tags(node);
-        if tags.is_empty() {
-            continue;
+impl Places<'_> {
+    /// Doors and stops at nodes.
+    fn nodes(&mut self) {
+        for (position, node) in self.source.nodes.iter().enumerate() {
+            let tags = self.source.node_tags(node);
+            if tags.is_empty() || !self.source.is_near(position) {
+                continue;
+            }
+            let at = self.source.points[position].into();
+            let building = self.doors.get(&node.id).copied();
+            let kind = |key| tags.text(key).filter(|kind| *kind != "no");
+            if let Some((building, kind)) = building.and_then(|b| Some((b, kind("entrance").or_else(|| kind("door"))?)))
+            {
+                self.source.keep(Element::Node(node.id));
+                self.draft.entrances.push(EntranceDraft { building, at, kind: kind.to_owned(), source: node.id });
+            }
+            if let Some(kind) = stop(tags) {
+                self.source.keep(Element::Node(node.id));
+                let name = tags.text("name").map(str::to_owned);
+                self.draft.stops.push(StopDraft { kind, at, name, source: node.id });
+            }
         }
-        let at = [point.x, point.y];
-        let door = tags.get("entrance").or_else(|| tags.get("door")).filter(|kind| *kind != "no");
-        if let (Some(kind), Some(building)) = (door, doors.get(&node.id)) {
-            draft.entrances.push(EntranceDraft { building: *building, at, kind: kind.to_owned(), source: node.id });
-        }
-        let kind = match () {
-            () if tags.is("highway", "bus_stop") => StopKind::Bus,
-            () if tags.is("railway", "tram_stop") => StopKind::Tram,
-            () if tags.is("railway", "station|halt|subway_entrance") => StopKind::Train,
-            () => continue,
+    }
+
+    /// A door for each building without one: in the middle of the wall that is nearest to a way on which people walk.
+    fn guess_doors(&mut self) {
+        let walked = |road: &&crate::RoadDraft| {
+            let users = road.section.users(true) | road.section.users(false);
+            users.has(Users::FOOT) && road.layer == 0
         };
-        draft.stops.push(StopDraft { kind, at, name: tags.get("name").map(str::to_owned), source: node.id });
+        let roads = self.draft.roads.iter().filter(walked);
+        let lines: Vec<Polyline> = roads.filter_map(|road| Polyline::new(road.line.iter().copied())).collect();
+        let index = PointIndex::new(lines.iter().enumerate().map(|(id, line)| (id as u32, line)));
+        let mut has = vec![false; self.draft.buildings.len()];
+        self.draft.entrances.iter().for_each(|entrance| has[entrance.building.index()] = true);
+        for (number, building) in self.draft.buildings.iter().enumerate() {
+            if has[number] || building.part || building.base > 0.0 {
+                continue;
+            }
+            let Some(at) = door(building, &lines, &index) else { continue };
+            let building = BuildingId::of(number);
+            self.draft.entrances.push(EntranceDraft { building, at, kind: "guessed".to_owned(), source: 0 });
+            self.report.guess(self.buildings[number], Guessed::Entrance);
+        }
     }
 }
 
-/// A door for each building without one: in the middle of the wall that is nearest to a way on which people walk.
-fn guess_doors(draft: &mut MapDraft, report: &mut ImportReport) {
-    let walked = |road: &&crate::RoadDraft| {
-        let users = road.section.users(true) | road.section.users(false);
-        users.has(Users::FOOT) && road.layer == 0
-    };
-    let lines: Vec<Polyline> =
-        draft.roads.iter().filter(walked).filter_map(|road| Polyline::new(road.line.iter().copied())).collect();
-    let index = PointIndex::new(lines.iter().enumerate().map(|(id, line)| (id as u32, line)));
-    let mut has = vec![false; draft.buildings.len()];
-    draft.entrances.iter().for_each(|entrance| has[entrance.building.index()] = true);
-    for (number, building) in draft.buildings.iter().enumerate() {
-        if has[number] || building.part || building.base > 0.0 {
-            continue;
-        }
-        let Some(at) = door(building, &lines, &index) else { continue };
-        draft.entrances.push(EntranceDraft {
-            building: BuildingId::of(number),
-            at,
-            kind: "guessed".to_owned(),
-            source: 0,
-        });
-        report.guess(Element::Way(building.source), Guessed::Entrance);
+fn stop(tags: Tags<'_>) -> Option<StopKind> {
+    match () {
+        () if tags.is("highway", "bus_stop") => Some(StopKind::Bus),
+        () if tags.is("railway", "tram_stop") => Some(StopKind::Tram),
+        () if tags.is("railway", "station|halt|subway_entrance") => Some(StopKind::Train),
+        () => None,
     }
 }
 
@@ -230,27 +260,4 @@ fn door(building: &Building, lines: &[Polyline], index: &PointIndex) -> Option<[
         });
     }
     best.map(|(_, at)| [at.x, at.y])
-}
-
-impl OsmData {
-    /// Lists what has tags and became nothing.
-    pub(super) fn unused(&self, draft: &MapDraft, report: &mut ImportReport) {
-        let roads = draft.roads.iter().map(|road| Element::Way(road.source));
-        let shapes = draft.buildings.iter().map(|b| b.source).chain(draft.areas.iter().map(|a| a.source));
-        let both = shapes.flat_map(|id| [Element::Way(id), Element::Relation(id)]);
-        let points = draft.crossings.iter().map(|c| c.source).chain(draft.stops.iter().map(|s| s.source));
-        let points = points.chain(draft.entrances.iter().map(|e| e.source)).map(Element::Node);
-        let nodes = draft.junctions.iter().flat_map(|junction| junction.source.iter().map(|id| Element::Node(*id)));
-        let listed = report.dropped.iter().map(|(element, _)| *element);
-        let guessed = report.guessed.iter().map(|(element, _)| *element);
-        let used: std::collections::BTreeSet<Element> =
-            roads.chain(both).chain(points).chain(nodes).chain(listed).chain(guessed).collect();
-        let tagged =
-            |element: Element, tags: Tags<'_>| (!tags.is_empty() && !used.contains(&element)).then_some(element);
-        let nodes = self.nodes.iter().filter_map(|node| tagged(Element::Node(node.id), self.node_tags(node)));
-        let ways = self.ways.iter().filter_map(|way| tagged(Element::Way(way.id), self.way_tags(way)));
-        let relations = self.relations.iter().filter_map(|r| tagged(Element::Relation(r.id), self.relation_tags(r)));
-        let lost: Vec<Element> = nodes.chain(ways).chain(relations).collect();
-        lost.into_iter().for_each(|element| report.drop(element, Reason::NoUse));
-    }
 }

@@ -1,73 +1,131 @@
 //! Restrictions of turns.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
+use super::data::Relation;
 use super::network::Network;
-use super::{Element, ImportReport, OsmData, Reason};
+use super::tags::Tags;
+use super::{Element, ImportReport, Reason};
 use crate::{JunctionId, MapDraft, Point, RoadDraft, RoadId, TurnBan, Users};
 
-/// Turns relations of restrictions into bans; those with exceptions for cars or with times are passed over.
-pub(super) fn bans(data: &OsmData, network: &Network<'_>, draft: &mut MapDraft, report: &mut ImportReport) {
-    let junctions = by_node(draft);
-    let roads = by_end(draft);
-    let mut bans = BTreeSet::new();
-    for relation in &data.relations {
-        let tags = data.relation_tags(relation);
+/// Keys of restrictions, and the users for whom they hold.
+const KEYS: [(&str, Users); 6] = [
+    ("restriction", Users::TRAFFIC),
+    ("restriction:motor_vehicle", MOTOR),
+    ("restriction:motorcar", Users::CAR),
+    ("restriction:bus", Users::BUS),
+    ("restriction:psv", Users::BUS),
+    ("restriction:bicycle", Users::BICYCLE),
+];
+const MOTOR: Users = Users::TRAFFIC.without(Users::BICYCLE);
+
+/// Turns relations of restrictions into bans; those that hold at some times only are left out.
+pub(super) fn bans(network: &Network<'_>, draft: &mut MapDraft, report: &mut ImportReport) {
+    let source = network.source;
+    let (junctions, roads) = (by_node(draft), by_end(draft));
+    let mut bans: BTreeMap<(RoadId, JunctionId, RoadId), Users> = BTreeMap::new();
+    for relation in &source.relations {
+        let tags = source.relation_tags(relation);
         if !tags.is("type", "restriction") {
             continue;
         }
-        let kind = tags.get("restriction").or_else(|| tags.get("restriction:motorcar")).unwrap_or_default();
-        let members = |role: &str| -> Vec<Element> {
-            data.members(relation)
-                .iter()
-                .filter(|member| data.role(**member) == role)
-                .map(|member| member.element)
-                .collect()
-        };
-        let exempt = tags.get("except").is_some_and(|text| text.split(';').any(|word| word.trim() == "motorcar"));
-        let found = via(data, network, &members("via")).and_then(|id| junctions.get(&id).copied()).filter(|_| !exempt);
-        let (from, to) = (way(&members("from")), way(&members("to")));
-        let (Some(at), Some(from), Some(to)) = (found, from, to) else {
-            report.drop(Element::Relation(relation.id), if exempt { Reason::NoUse } else { Reason::CutOff });
-            continue;
-        };
-        let before = bans.len();
-        let ends = roads.get(&at).map(Vec::as_slice).unwrap_or_default();
-        add(draft, ends, at, (from, to), kind, &mut bans);
-        if bans.len() == before {
-            report.drop(Element::Relation(relation.id), Reason::NoSuchTurn);
+        let element = Element::Relation(relation.id);
+        match restriction(network, &junctions, relation, tags) {
+            Err(reason) => report.drop(element, reason),
+            Ok(found) => {
+                let ends = roads.get(&found.at).map(Vec::as_slice).unwrap_or_default();
+                let turns = found.turns(draft, ends);
+                if turns.is_empty() {
+                    report.drop(element, Reason::NoSuchTurn);
+                } else {
+                    source.keep(element);
+                }
+                for (from, to) in turns {
+                    let users = bans.entry((from, found.at, to)).or_default();
+                    *users = *users | found.users;
+                }
+            }
         }
     }
-    draft.bans = bans.into_iter().collect();
+    draft.bans = bans.into_iter().map(|((from, at, to), users)| TurnBan { from, at, to, users }).collect();
 }
 
-fn way(members: &[Element]) -> Option<i64> {
-    members.iter().find_map(|member| match member {
-        Element::Way(id) => Some(*id),
-        _ => None,
-    })
+/// A restriction whose members are known.
+struct Restriction<'a> {
+    kind: &'a str,
+    users: Users,
+    at: JunctionId,
+    /// The ways that one comes from, and those that one goes on with.
+    ways: [Vec<i64>; 2],
+}
+
+fn restriction<'a>(
+    network: &Network<'_>,
+    junctions: &BTreeMap<i64, JunctionId>,
+    relation: &Relation,
+    tags: Tags<'a>,
+) -> Result<Restriction<'a>, Reason> {
+    let source = network.source;
+    let times = ["hour_on", "hour_off", "day_on", "day_off", "restriction:conditional"];
+    let known = KEYS.iter().find_map(|(key, users)| Some((tags.text(key)?, *users)));
+    if times.iter().any(|key| tags.has(key)) {
+        return Err(Reason::AtTimes);
+    }
+    let (kind, users) = known.ok_or(Reason::OtherUsers)?;
+    let users = users.without(tags.read("except", exempt).unwrap_or_default());
+    if users.is_empty() {
+        return Err(Reason::OtherUsers);
+    }
+    let members = |role: &str| -> Vec<Element> {
+        let members = source.members(relation).iter().filter(|member| source.role(**member) == role);
+        members.map(|member| member.element).collect()
+    };
+    let ways = ["from", "to"].map(|role| ways(&members(role)));
+    let at = via(network, &members("via")).and_then(|id| junctions.get(&id).copied()).ok_or(Reason::CutOff)?;
+    if ways.iter().any(Vec::is_empty) {
+        return Err(Reason::CutOff);
+    }
+    Ok(Restriction { kind, users, at, ways })
+}
+
+/// Those for whom a restriction does not hold.
+fn exempt(text: &str) -> Option<Users> {
+    let users = text.split(';').map(|word| match word.trim() {
+        "motorcar" => Users::CAR,
+        "motor_vehicle" => MOTOR,
+        "bus" | "psv" => Users::BUS,
+        "bicycle" => Users::BICYCLE,
+        _ => Users::NONE,
+    });
+    Some(users.fold(Users::NONE, |all, users| all | users)).filter(|users| !users.is_empty())
+}
+
+fn ways(members: &[Element]) -> Vec<i64> {
+    let way = |member: &Element| if let Element::Way(id) = member { Some(*id) } else { None };
+    members.iter().filter_map(way).collect()
 }
 
 /// The node over which a restriction leads; of a way, one within its junction.
-fn via(data: &OsmData, network: &Network<'_>, members: &[Element]) -> Option<i64> {
+fn via(network: &Network<'_>, members: &[Element]) -> Option<i64> {
+    let source = network.source;
     match members.first()? {
         Element::Node(id) => Some(*id),
         Element::Way(id) => {
-            let refs = data.refs(data.way(*id)?);
-            let meets = |id: &&i64| data.node(**id).is_some_and(|node| network.at.contains_key(&(node as u32)));
+            let refs = source.refs(source.way(*id)?);
+            let meets = |id: &&i64| source.near(**id).is_some_and(|node| network.at.contains_key(&node));
             refs.iter().find(meets).copied()
         }
         Element::Relation(_) => None,
     }
 }
 
-fn by_node(draft: &MapDraft) -> std::collections::BTreeMap<i64, JunctionId> {
+fn by_node(draft: &MapDraft) -> BTreeMap<i64, JunctionId> {
     let nodes = draft.junctions.iter().enumerate();
     nodes.flat_map(|(index, junction)| junction.source.iter().map(move |id| (*id, JunctionId::of(index)))).collect()
 }
 
-fn by_end(draft: &MapDraft) -> std::collections::BTreeMap<JunctionId, Vec<RoadId>> {
-    let mut roads: std::collections::BTreeMap<JunctionId, Vec<RoadId>> = std::collections::BTreeMap::new();
+fn by_end(draft: &MapDraft) -> BTreeMap<JunctionId, Vec<RoadId>> {
+    let mut roads: BTreeMap<JunctionId, Vec<RoadId>> = BTreeMap::new();
     for (index, road) in draft.roads.iter().enumerate() {
         for junction in BTreeSet::from([road.from, road.to]) {
             roads.entry(junction).or_default().push(RoadId::of(index));
@@ -76,32 +134,30 @@ fn by_end(draft: &MapDraft) -> std::collections::BTreeMap<JunctionId, Vec<RoadId
     roads
 }
 
-/// Adds the bans of a restriction: one turn, or every other if only one is allowed.
-fn add(
-    draft: &MapDraft,
-    ends: &[RoadId],
-    at: JunctionId,
-    (from, to): (i64, i64),
-    kind: &str,
-    bans: &mut BTreeSet<TurnBan>,
-) {
-    let road = |id: &RoadId| &draft.roads[id.index()];
-    let comes = |id: &&RoadId| {
-        let road = road(id);
-        road.source == from && road.section.users(road.to == at).any(Users::TRAFFIC)
-    };
-    let drives = |id: &&RoadId| road(id).class.is_street();
-    for one in ends.iter().filter(comes) {
-        let fits = |other: &&RoadId| road(other).source == to && other != &one;
-        if kind.starts_with("only_") {
-            let others = ends.iter().filter(drives).filter(|other| !fits(other) && other != &one);
-            if ends.iter().any(|other| fits(&other)) {
-                bans.extend(others.map(|other| TurnBan { from: *one, at, to: *other }));
+impl Restriction<'_> {
+    /// The turns that it takes away, among the roads at its junction: some, or all others if only some are allowed.
+    fn turns(&self, draft: &MapDraft, ends: &[RoadId]) -> Vec<(RoadId, RoadId)> {
+        let road = |id: &RoadId| &draft.roads[id.index()];
+        let [from, to] = &self.ways;
+        let is = |id: &RoadId, ways: &[i64]| road(id).source.iter().any(|way| ways.contains(way));
+        let comes = |id: &&RoadId| {
+            let road = road(id);
+            is(id, from) && road.section.users(road.to == self.at).any(Users::TRAFFIC)
+        };
+        let mut turns = Vec::new();
+        for one in ends.iter().filter(comes) {
+            let others = || ends.iter().filter(|other| *other != one && road(other).class.is_street());
+            let named = |other: &&RoadId| is(other, to);
+            if self.kind.starts_with("only_") {
+                if others().any(|other| named(&other)) {
+                    turns.extend(others().filter(|other| !named(other)).map(|other| (*one, *other)));
+                }
+            } else if self.kind.starts_with("no_") {
+                let bends = |other: &&RoadId| bends_as(self.kind, road(one), road(other), self.at);
+                turns.extend(others().filter(named).filter(bends).map(|other| (*one, *other)));
             }
-        } else if kind.starts_with("no_") {
-            let named = |other: &&RoadId| bends_as(kind, road(one), road(other), at);
-            bans.extend(ends.iter().filter(fits).filter(named).map(|other| TurnBan { from: *one, at, to: *other }));
         }
+        turns
     }
 }
 
@@ -118,6 +174,7 @@ fn bends_as(kind: &str, from: &RoadDraft, to: &RoadDraft, at: JunctionId) -> boo
         "no_left_turn" => side > -0.2,
         "no_right_turn" => side < 0.2,
         "no_straight_on" => come.dot(&go) > 0.0,
+        "no_u_turn" => come.dot(&go) < 0.0,
         _ => true,
     }
 }

@@ -1,67 +1,62 @@
 //! Where a map lies: its frame, and the side on which vehicles drive there.
 
-use super::data::Node;
-use super::{Element, Guessed, ImportReport, OsmData};
-use crate::geo::Frame;
+use super::data::{Node, Way};
+use super::tags::Source;
+use super::{Guessed, ImportReport};
+use crate::geo::{Frame, turned};
 use crate::polyline::area;
 use crate::{DrivingSide, Origin, Point};
 
-/// Boxes around places where one drives on the left: south, west, north, east, degrees. They are rough; roundabouts tell
-/// better.
-const LEFT: [[f64; 4]; 12] = [
-    // Great Britain and Ireland, Malta, Cyprus.
-    [49.8, -11.0, 61.0, 1.8],
-    [35.7, 14.1, 36.2, 14.7],
-    [34.5, 32.2, 35.8, 34.7],
-    // Japan; Hong Kong; Thailand and Malaya; Indonesia; India and its neighbours.
-    [30.0, 129.4, 45.7, 146.0],
-    [22.1, 113.8, 22.6, 114.5],
-    [-1.0, 97.3, 20.5, 105.0],
-    [-11.2, 95.0, 6.0, 141.1],
-    [5.8, 66.5, 30.5, 92.5],
-    // Australia and New Zealand; southern and eastern Africa; Jamaica and the Bahamas.
-    [-48.0, 112.0, -10.0, 179.9],
-    [-35.0, 15.5, -8.0, 41.0],
-    [-8.0, 29.5, 4.5, 42.0],
-    [17.6, -78.5, 18.6, -76.1],
-];
+/// Boxes around places with the side on which one drives there. Roundabouts tell better.
+const PLACES: &str = include_str!("../../data/sides.txt");
 
 impl Node {
-    /// Degrees of latitude and longitude.
-    pub(super) fn degrees(&self) -> [f64; 2] {
-        self.at.map(|tiny| f64::from(tiny) / 1e7)
+    /// How far it lies within the edges of a box, metres.
+    pub(super) fn within(&self, [south, west, north, east]: [f64; 4]) -> f64 {
+        let [latitude, longitude] = self.degrees();
+        let inside = [latitude - south, north - latitude, turned(longitude - west), turned(east - longitude)];
+        inside.into_iter().fold(f64::INFINITY, f64::min) * 111_000.0
     }
 }
 
-impl OsmData {
-    /// The frame around the middle of the file's bounds, or else of its nodes. `None` without ways.
+impl Source<'_> {
+    /// The frame around the middle of the file's bounds, or else of the nodes of its streets and buildings. `None` without ways.
     pub(super) fn frame(&self) -> Option<Frame> {
         let used = self.ways.iter().any(|way| self.refs(way).iter().any(|id| self.node(*id).is_some()));
-        let ends = |axis: usize| {
-            let low = self.nodes.iter().map(|node| node.at[axis]).min()?;
-            let high = self.nodes.iter().map(|node| node.at[axis]).max()?;
-            Some((f64::from(low) + f64::from(high)) / 2e7)
+        let drawn = |way: &&Way| ["highway", "railway", "building"].iter().any(|key| self.way_tags(way).has(key));
+        let [latitude, longitude] = match self.bounds {
+            // An eastern edge that is less than the western lies beyond the date line.
+            Some([south, west, north, east]) => {
+                let span = if east < west { east + 360.0 - west } else { east - west };
+                [(south + north) / 2.0, turned(west + span / 2.0)]
+            }
+            None => self.middle(drawn).or_else(|| self.middle(|_| true))?,
         };
-        let middle = match self.bounds {
-            Some([south, west, north, east]) => [(south + north) / 2.0, (west + east) / 2.0],
-            None => [ends(0)?, ends(1)?],
+        used.then(|| Frame::new(Origin { latitude: latitude.clamp(-85.0, 85.0), longitude }))
+    }
+
+    /// The medians of the degrees of the nodes of some ways: a few that are far away do not move them.
+    fn middle(&self, ways: impl Fn(&&Way) -> bool) -> Option<[f64; 2]> {
+        let refs = self.ways.iter().filter(ways).flat_map(|way| self.refs(way));
+        let mut at: Vec<[i32; 2]> = refs.filter_map(|id| self.node(*id)).map(|index| self.nodes[index].at).collect();
+        let half = at.len() / 2;
+        let mut median = |axis: usize| -> Option<f64> {
+            (half < at.len()).then(|| f64::from(at.select_nth_unstable_by_key(half, |at| at[axis]).1[axis]) / 1e7)
         };
-        let origin = Origin { latitude: middle[0].clamp(-85.0, 85.0), longitude: middle[1] };
-        used.then(|| Frame::new(origin))
+        Some([median(0)?, median(1)?])
     }
 
     /// The side on which vehicles drive: as told, else as most roundabouts turn, else by the place.
-    pub(super) fn side(&self, told: Option<DrivingSide>, report: &mut ImportReport) -> DrivingSide {
+    pub(super) fn side(&self, told: Option<DrivingSide>, origin: Origin, report: &mut ImportReport) -> DrivingSide {
         told.unwrap_or_else(|| {
-            let side = self.side_by_roundabouts().or_else(|| self.side_by_place()).unwrap_or_default();
-            let first = self.ways.first().map_or(0, |way| way.id);
-            report.guess(Element::Way(first), Guessed::Side(side));
+            let side = self.side_by_roundabouts().unwrap_or_else(|| side_by_place(origin));
+            report.general.push(Guessed::Side(side));
             side
         })
     }
 
     fn side_by_roundabouts(&self) -> Option<DrivingSide> {
-        let turn = |way: &super::data::Way| -> Option<f64> {
+        let turn = |way: &Way| -> Option<f64> {
             let refs = self.refs(way);
             if !self.way_tags(way).is("junction", "roundabout|circular")
                 || refs.len() < 4
@@ -69,20 +64,23 @@ impl OsmData {
             {
                 return None;
             }
-            let at = |id: &i64| self.node(*id).map(|index| self.nodes[index].degrees());
-            let ring: Option<Vec<Point>> =
-                refs.iter().map(|id| at(id).map(|[lat, lon]| Point::new(lon, lat))).collect();
+            let ring: Option<Vec<Point>> = refs.iter().map(|id| self.near(*id).map(|at| self.point(at))).collect();
             ring.map(|ring| area(&ring).signum())
         };
         let sum: f64 = self.ways.iter().filter_map(turn).sum();
         (sum != 0.0).then_some(if sum > 0.0 { DrivingSide::Right } else { DrivingSide::Left })
     }
+}
 
-    fn side_by_place(&self) -> Option<DrivingSide> {
-        let origin = self.frame()?.origin;
-        let within = |[south, west, north, east]: &[f64; 4]| {
-            (south..=north).contains(&&origin.latitude) && (west..=east).contains(&&origin.longitude)
-        };
-        Some(if LEFT.iter().any(within) { DrivingSide::Left } else { DrivingSide::Right })
-    }
+/// The side of the first box around a place.
+fn side_by_place(origin: Origin) -> DrivingSide {
+    let side = |line: &str| -> Option<DrivingSide> {
+        let mut words = line.split_whitespace();
+        let side = if words.next()? == "left" { DrivingSide::Left } else { DrivingSide::Right };
+        let mut edge = || words.next()?.parse::<f64>().ok();
+        let [south, west, north, east] = [edge()?, edge()?, edge()?, edge()?];
+        let within = (south..=north).contains(&origin.latitude) && (west..=east).contains(&origin.longitude);
+        within.then_some(side)
+    };
+    PLACES.lines().find_map(side).unwrap_or_default()
 }

@@ -1,34 +1,95 @@
-//! Signals: those on the nodes of junctions, and those on nodes before them.
+//! Signals: those on the nodes of junctions, those on nodes before them, and those of crossings for people.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
-use super::clusters::{Clusters, degree};
-use super::network::Network;
-use super::{Element, Guessed, ImportReport};
+use super::clusters::{CROSSING, Clusters, NEAR, clusters, degree};
+use super::network::{Network, Piece};
+use super::{Element, Guessed, ImportReport, Reason};
 use crate::CrossingKind;
 
 /// A signal rules the junction at most this far ahead, metres.
 const AHEAD: f64 = 60.0;
+/// The lights of a crossing are those of a junction with lights at most this far away, metres.
+const AWAY: f64 = 45.0;
+/// Junctions are looked for among so many nodes, the nearest.
+const NODES: usize = 64;
 
-/// The clusters that have lights, by their first nodes.
-pub(super) fn signals(network: &Network<'_>, clusters: &Clusters, report: &mut ImportReport) -> BTreeSet<u32> {
-    let mut lit = BTreeSet::new();
-    let streets = |head: u32| {
-        let members = clusters.members.get(&head).into_iter().flatten();
-        members.map(|node| degree(network, *node)).max().unwrap_or(0)
-    };
-    for (node, marks) in &network.marks {
-        let head = clusters.of(*node);
-        let people = marks.crossing == Some(CrossingKind::Signals);
-        if !network.at.contains_key(node) || network.streets_at(*node).next().is_none() || !(marks.signals || people) {
+/// Junctions as clusters of nodes, and those of them that have lights, by their first nodes. Lights of a crossing for people
+/// belong to the junction beside it if that has lights. They light a junction by themselves only if all its arms have
+/// such a crossing.
+pub(super) fn signals(network: &mut Network<'_>, report: &mut ImportReport) -> (Clusters, BTreeSet<u32>) {
+    let people = crossings(network);
+    let signals = |node: &u32| network.marks.get(node).is_some_and(|marks| marks.signals);
+    let mut apart: BTreeSet<u32> = people.iter().copied().filter(|node| !signals(node)).collect();
+    let first = clusters(network, &apart);
+    let mut lit = vehicles(network, &first, &mut ImportReport::default());
+    let all_round = lit_by_crossings(network, &first, &apart);
+    lit.extend(all_round.iter().copied());
+    for node in people {
+        if first.is_junction(network, node) {
             continue;
         }
-        if streets(head) > 2 || people {
-            lit.insert(head);
+        let Some(found) = nearest(network, &first, node, AWAY, |_, _| true) else { continue };
+        let joins = found.length < CROSSING && apart.contains(&node);
+        match lit.contains(&first.of(found.node)) {
+            true if joins => _ = apart.remove(&node),
+            true => unlit(network, node, Guessed::CrossingOf(id(network, found.node)), report),
+            false if found.length < NEAR => {
+                apart.remove(&node);
+                unlit(network, node, Guessed::NoLights, report);
+            }
+            false => {}
+        }
+    }
+    let last = clusters(network, &apart);
+    let mut lit = vehicles(network, &last, report);
+    lit.extend(all_round.into_iter().map(|node| last.of(node)));
+    lit.extend(crossings(network).into_iter().map(|node| last.of(node)).filter(|head| {
+        // Those that joined a junction have its lights.
+        !last.is_junction(network, *head)
+    }));
+    (last, lit)
+}
+
+/// Nodes with lights for people at which no streets meet.
+fn crossings(network: &Network<'_>) -> Vec<u32> {
+    let lights = network.marks.iter().filter(|(_, marks)| marks.crossing == Some(CrossingKind::Signals));
+    let nodes = lights.map(|(node, _)| *node);
+    nodes.filter(|node| (1..=2).contains(&degree(network, *node))).collect()
+}
+
+fn id(network: &Network<'_>, node: u32) -> i64 {
+    network.source.nodes[node as usize].id
+}
+
+/// Makes a crossing one without lights.
+fn unlit(network: &mut Network<'_>, node: u32, guessed: Guessed, report: &mut ImportReport) {
+    report.guess(Element::Node(id(network, node)), guessed);
+    if let Some(marks) = network.marks.get_mut(&node) {
+        marks.crossing = Some(CrossingKind::Marked);
+    }
+}
+
+/// Junctions whose nodes have lights for vehicles, or before which such nodes stand.
+fn vehicles(network: &Network<'_>, clusters: &Clusters, report: &mut ImportReport) -> BTreeSet<u32> {
+    let mut lit = BTreeSet::new();
+    for (node, marks) in &network.marks {
+        let crossing = marks.crossing == Some(CrossingKind::Signals);
+        let here = degree(network, *node);
+        // A junction may have its lights on a crossing node of its own.
+        if here == 0 || !(marks.signals || (crossing && here > 2)) {
+            continue;
+        }
+        let element = Element::Node(id(network, *node));
+        if clusters.is_junction(network, *node) {
+            lit.insert(clusters.of(*node));
+        } else if crossing {
+            // A crossing for people between junctions.
         } else if let Some(ahead) = ahead(network, clusters, *node, marks.forward_only) {
-            let source = network.data.nodes[ahead as usize].id;
-            report.guess(Element::Node(network.data.nodes[*node as usize].id), Guessed::SignalAt(source));
+            report.guess(element, Guessed::SignalAt(id(network, ahead)));
             lit.insert(clusters.of(ahead));
+        } else {
+            report.drop(element, Reason::NoJunction);
         }
     }
     lit
@@ -36,26 +97,67 @@ pub(super) fn signals(network: &Network<'_>, clusters: &Clusters, report: &mut I
 
 /// The nearest junction ahead of a signal, along the directions in which one drives there.
 fn ahead(network: &Network<'_>, clusters: &Clusters, node: u32, forward_only: Option<bool>) -> Option<u32> {
-    let mut best: Option<(f64, u32)> = None;
-    let mut open = vec![(0.0, node, usize::MAX)];
-    while let Some((gone, at, came)) = open.pop() {
-        for (number, piece) in network.streets_at(at).filter(|(number, _)| *number != came) {
-            let forward = piece.first() == at;
-            let length = gone + piece.length;
-            let told = forward_only.is_none_or(|only| only == forward);
-            if !network.drives(piece, forward) || !told || length > AHEAD {
-                continue;
-            }
-            let next = if forward { piece.last() } else { piece.first() };
-            let members = clusters.members.get(&clusters.of(next)).into_iter().flatten();
-            if members.clone().any(|node| degree(network, *node) > 2) {
-                if best.is_none_or(|(least, known)| (length, next) < (least, known)) {
-                    best = Some((length, next));
+    let drives = |piece: &Piece, forward: bool| {
+        network.drives(piece, forward) && forward_only.is_none_or(|only| only == forward)
+    };
+    nearest(network, clusters, node, AHEAD, drives).map(|found| found.node)
+}
+
+/// Junctions all of whose arms have a crossing with lights.
+fn lit_by_crossings(network: &Network<'_>, clusters: &Clusters, crossings: &BTreeSet<u32>) -> BTreeSet<u32> {
+    let mut arms: BTreeMap<u32, BTreeSet<usize>> = BTreeMap::new();
+    for node in crossings {
+        if let Some(found) = nearest(network, clusters, *node, AWAY, |_, _| true) {
+            arms.entry(clusters.of(found.node)).or_default().insert(found.piece);
+        }
+    }
+    let whole = |(head, lights): &(u32, BTreeSet<usize>)| {
+        let nodes = clusters.nodes(*head).iter();
+        let pieces = nodes.flat_map(|node| network.streets_at(*node));
+        let mut leave = pieces.filter(|(_, p)| clusters.of(p.first()) != clusters.of(p.last()));
+        leave.all(|(piece, _)| lights.contains(&piece))
+    };
+    arms.into_iter().filter(whole).map(|(head, _)| head).collect()
+}
+
+/// A junction that was found along streets.
+struct Found {
+    node: u32,
+    /// The piece by which one comes to it.
+    piece: usize,
+    length: f64,
+}
+
+/// The junction nearest to a node within a distance, along pieces that may be followed in a direction.
+fn nearest(
+    network: &Network<'_>,
+    clusters: &Clusters,
+    node: u32,
+    within: f64,
+    follows: impl Fn(&Piece, bool) -> bool,
+) -> Option<Found> {
+    // Lengths are not negative, so that their bits are in their order.
+    let mut open = BTreeSet::from([(0.0_f64.to_bits(), node, usize::MAX)]);
+    let mut seen = BTreeSet::new();
+    while let Some((bits, at, came)) = open.pop_first() {
+        let gone = f64::from_bits(bits);
+        if !seen.insert(at) {
+            continue;
+        }
+        if came != usize::MAX && clusters.is_junction(network, at) {
+            return Some(Found { node: at, piece: came, length: gone });
+        }
+        if seen.len() > NODES {
+            return None;
+        }
+        for (number, piece) in network.streets_at(at) {
+            for (forward, from, to) in [(true, piece.first(), piece.last()), (false, piece.last(), piece.first())] {
+                let length = gone + piece.length;
+                if from == at && length <= within && follows(piece, forward) {
+                    open.insert((length.to_bits(), to, number));
                 }
-            } else {
-                open.push((length, next, number));
             }
         }
     }
-    best.map(|(_, node)| node)
+    None
 }

@@ -1,7 +1,8 @@
-//! Ways of OpenStreetMap as roads: class, users, lanes, pavements.
+//! Ways of OpenStreetMap as roads: class, users, limits, levels.
 
-use super::data::Tags;
 use super::lanes::{self, LaneTags};
+use super::tags::Tags;
+use super::units::{metres, speed};
 use super::{Element, Guessed, ImportReport, Reason};
 use crate::{CrossSection, DrivingSide, RoadClass, Strip, StripKind, Structure, Users};
 
@@ -22,20 +23,27 @@ pub(super) struct Street {
     pub(super) guessed_pavements: bool,
 }
 
-/// The class of a way and whether it is a slip road, or why it is none.
+/// The class of a way and whether it is a slip road, or why it is none; `None` without a reason for ways that are no roads at
+/// all.
 fn class(tags: Tags<'_>) -> Result<(RoadClass, bool), Option<Reason>> {
-    let rail = || match tags.get("railway")? {
+    if let Some(found) = tags.read("highway", |value| Some(highway(value))) {
+        return found.map_err(Some);
+    }
+    if tags.is("railway", "construction|proposed|abandoned|disused|razed|dismantled") {
+        return Err(Some(Reason::NotThere));
+    }
+    let rail = tags.read("railway", |value| match value {
         "tram" => Some(RoadClass::Tram),
         "rail" | "light_rail" | "subway" | "narrow_gauge" | "monorail" | "preserved" | "funicular" => {
             Some(RoadClass::Rail)
         }
         _ => None,
-    };
-    let Some(highway) = tags.get("highway") else {
-        let gone = tags.is("railway", "construction|proposed|abandoned|disused|razed|dismantled");
-        return rail().map(|class| (class, false)).ok_or(gone.then_some(Reason::NotThere));
-    };
-    let class = match highway.strip_suffix("_link").unwrap_or(highway) {
+    });
+    rail.map(|class| (class, false)).ok_or(None)
+}
+
+fn highway(value: &str) -> Result<(RoadClass, bool), Reason> {
+    let class = match value.strip_suffix("_link").unwrap_or(value) {
         "motorway" => RoadClass::Motorway,
         "trunk" => RoadClass::Trunk,
         "primary" => RoadClass::Primary,
@@ -50,23 +58,35 @@ fn class(tags: Tags<'_>) -> Result<(RoadClass, bool), Option<Reason>> {
         "cycleway" => RoadClass::Cycleway,
         "footway" | "path" | "bridleway" => RoadClass::Path,
         "steps" => RoadClass::Steps,
-        "construction" | "proposed" | "planned" | "abandoned" | "razed" | "disused" => {
-            return Err(Some(Reason::NotThere));
-        }
-        "corridor" | "elevator" => return Err(Some(Reason::Indoors)),
-        _ => return Err(Some(Reason::NoUse)),
+        "construction" | "proposed" | "planned" | "abandoned" | "razed" | "disused" => return Err(Reason::NotThere),
+        "corridor" | "elevator" => return Err(Reason::Indoors),
+        _ => return Err(Reason::NoUse),
     };
-    Ok((class, highway.ends_with("_link")))
+    Ok((class, value.ends_with("_link")))
 }
 
-/// Whether somebody may use a way, by the most particular of some keys that it has.
-fn may(tags: Tags<'_>, keys: &[&str], usual: bool) -> bool {
-    match keys.iter().find_map(|key| tags.get(key)) {
-        None => usual,
-        Some("no" | "agricultural" | "forestry" | "emergency" | "military" | "use_sidepath") => false,
-        Some("dismount") => usual,
-        Some(_) => true,
+/// Whether a value of a key of access lets people in.
+fn access(value: &str) -> Option<bool> {
+    match value {
+        "no"
+        | "agricultural"
+        | "forestry"
+        | "agricultural;forestry"
+        | "emergency"
+        | "military"
+        | "use_sidepath"
+        | "dismount" => Some(false),
+        "yes" | "designated" | "permissive" | "destination" | "customers" | "private" | "delivery" | "permit"
+        | "official" | "public" | "residents" | "discouraged" | "optional_sidepath" => Some(true),
+        _ => None,
     }
+}
+
+/// Whether somebody may use a way: by a key of their own, which opens and closes, or else by the most particular of the keys
+/// for more users, which close only. A path that is open to all is not one for bicycles.
+fn may(tags: Tags<'_>, own: &[&str], general: &[&str], usual: bool) -> bool {
+    let said = |keys: &[&str]| keys.iter().find_map(|key| tags.read(key, access));
+    said(own).unwrap_or_else(|| usual && said(general).unwrap_or(true))
 }
 
 /// Everybody who may use a way.
@@ -77,66 +97,55 @@ fn users(tags: Tags<'_>, class: RoadClass) -> Users {
     }
     let busway = tags.is("highway", "busway|bus_guideway");
     let street = class.is_street();
-    let path = tags.is("highway", "path");
-    let rules: [(Users, &[&str], bool); 4] = [
-        (Users::CAR, &["motorcar", "motor_vehicle", "vehicle", "access"], street && !busway),
-        (Users::BUS, &["bus", "psv", "motor_vehicle", "vehicle", "access"], street),
-        (
-            Users::BICYCLE,
-            &["bicycle", "vehicle", "access"],
-            !matches!(class, Motorway | Pedestrian | Steps | Path) || path,
-        ),
-        (Users::FOOT, &["foot", "access"], !matches!(class, Motorway | Trunk | Cycleway)),
+    let slow = !tags.is("motorroad", "yes") && class != Motorway;
+    let rides = slow && (!matches!(class, Pedestrian | Steps | Path) || tags.is("highway", "path"));
+    let walks = slow && !matches!(class, Trunk | Cycleway);
+    let rules: [(Users, &[&str], &[&str], bool); 4] = [
+        (Users::CAR, &["motorcar", "motor_vehicle"], &["vehicle", "access"], street && !busway),
+        (Users::BUS, &["bus", "psv"], &["motor_vehicle", "vehicle", "access"], street),
+        (Users::BICYCLE, &["bicycle"], &["vehicle", "access"], rides),
+        (Users::FOOT, &["foot"], &["access"], walks),
     ];
-    let may = |(_, keys, usual): &&(Users, &[&str], bool)| may(tags, keys, *usual);
-    let mut all = rules.iter().filter(may).fold(Users::NONE, |all, (user, ..)| all | *user);
+    let open = rules.iter().filter(|(_, own, general, usual)| may(tags, own, general, *usual));
+    let mut all = open.fold(Users::NONE, |all, (user, ..)| all | *user);
     if !street {
         all = all.without(Users::CAR | Users::BUS);
     }
     if tags.is("railway", "tram") { all | Users::TRAM } else { all }
 }
 
-/// The speed limit, metres per second, if it is mapped.
-fn limit(tags: Tags<'_>) -> Option<f64> {
-    let text = tags.get("maxspeed")?;
-    let number: String = text.chars().take_while(|c| c.is_ascii_digit() || *c == '.').collect();
-    let speed: f64 = match (number.parse(), text) {
-        (Ok(speed), _) => speed,
-        (_, "walk") => 6.0,
-        (_, "none") => 130.0,
-        (_, zone) if zone.ends_with(":urban") => 50.0,
-        (_, zone) if zone.ends_with(":rural") => 90.0,
-        (_, zone) if zone.ends_with(":living_street") => 7.0,
-        _ => return None,
-    };
-    let kilometres = if text.ends_with("mph") { speed * 1.609_344 } else { speed };
-    (1.0..=400.0).contains(&kilometres).then_some(kilometres / 3.6)
-}
-
-/// The usual limit of a class in a town, metres per second (B1 of the note on places).
+/// The usual limit of a class in a town, metres per second.
 fn usual_limit(class: RoadClass, slip: bool) -> f64 {
-    let kilometres = match class {
-        RoadClass::Motorway => {
-            if slip {
-                60.0
-            } else {
-                100.0
-            }
-        }
-        RoadClass::Trunk => {
-            if slip {
-                50.0
-            } else {
-                70.0
-            }
-        }
-        RoadClass::Primary | RoadClass::Secondary | RoadClass::Tertiary | RoadClass::Minor | RoadClass::Tram => 50.0,
-        RoadClass::Residential => 30.0,
-        RoadClass::Living => 7.0,
-        RoadClass::Rail => 80.0,
+    let kilometres = match (class, slip) {
+        (RoadClass::Motorway, false) => 100.0,
+        (RoadClass::Motorway, true) => 60.0,
+        (RoadClass::Trunk, false) => 70.0,
+        (
+            RoadClass::Trunk
+            | RoadClass::Primary
+            | RoadClass::Secondary
+            | RoadClass::Tertiary
+            | RoadClass::Minor
+            | RoadClass::Tram,
+            _,
+        ) => 50.0,
+        (RoadClass::Residential, _) => 30.0,
+        (RoadClass::Living, _) => 7.0,
+        (RoadClass::Rail, _) => 80.0,
         _ => 15.0,
     };
     kilometres / 3.6
+}
+
+/// Whether a way has one direction: along its nodes or against them.
+fn one_way(tags: Tags<'_>, roundabout: bool) -> (bool, bool) {
+    let said = tags.read("oneway", |value| match value {
+        "yes" | "true" | "1" => Some((true, false)),
+        "-1" | "reverse" => Some((true, true)),
+        "no" | "false" | "0" => Some((false, false)),
+        _ => None,
+    });
+    said.unwrap_or_else(|| (roundabout || tags.is("highway", "motorway|motorway_link"), false))
 }
 
 /// A way as a road, or why it is none; `None` without a reason for ways that are no roads at all.
@@ -148,53 +157,80 @@ pub(super) fn street(
 ) -> Result<Street, Option<Reason>> {
     let (class, slip) = class(tags)?;
     if tags.is("area", "yes") && class.is_street() {
-        return Err(Some(Reason::NoUse));
+        // A square: places have it.
+        return Err(None);
     }
     let users = users(tags, class);
     if users.is_empty() {
         return Err(Some(Reason::NobodyMayUse));
     }
     let element = Element::Way(id);
-    let limit = limit(tags).unwrap_or_else(|| {
-        let usual = usual_limit(class, slip);
-        if class.is_street() {
-            report.guess(element, Guessed::Limit(usual));
-        }
-        usual
-    });
     let roundabout = tags.is("junction", "roundabout|circular");
+    let (one_way, reversed) = one_way(tags, roundabout);
+    let (structure, layer) = level(tags, element, report);
     let mut street = Street {
         class,
         section: CrossSection::default(),
-        name: tags.get("name").map(str::to_owned),
-        layer: layer(tags),
-        structure: structure(tags),
+        name: tags.text("name").map(str::to_owned),
+        layer,
+        structure,
         roundabout,
         slip,
         private: tags.is("access", "private|customers|delivery|permit")
             || tags.is("motor_vehicle", "private|destination"),
-        reversed: tags.is("oneway", "-1|reverse"),
+        reversed,
         guessed_pavements: false,
     };
+    let limits = limits(tags, class, slip, reversed, element, report);
     if class.is_street() {
-        let one_way = tags.is("oneway", "yes|true|1|-1|reverse")
-            || (!tags.is("oneway", "no|false|0") && (roundabout || tags.is("highway", "motorway|motorway_link")));
-        let lane = LaneTags { tags, class, slip, one_way, users, limit, side, reversed: street.reversed };
-        street.section = lanes::section(&lane, element, report);
-        street.guessed_pavements = lanes::pavements(&lane, &mut street.section);
+        let lane = LaneTags { tags, element, class, slip, one_way, users, limits, side, reversed };
+        street.section = lanes::section(&lane, report);
+        street.guessed_pavements = super::beside::pavements(&lane, &mut street.section);
     } else {
-        street.section = path(tags, class, users, limit);
+        street.section = path(tags, class, users, limits[0], element, report);
     }
     Ok(street)
 }
 
+/// The speed limits along the road and against it, metres per second.
+fn limits(
+    tags: Tags<'_>,
+    class: RoadClass,
+    slip: bool,
+    reversed: bool,
+    element: Element,
+    report: &mut ImportReport,
+) -> [f64; 2] {
+    let all = tags.read("maxspeed", speed);
+    let mut own = ["maxspeed:forward", "maxspeed:backward"].map(|key| tags.read(key, speed).or(all));
+    if reversed {
+        own.reverse();
+    }
+    let usual = usual_limit(class, slip);
+    if class.is_street() && own == [None, None] {
+        report.guess(element, Guessed::Limit(usual));
+    }
+    own.map(|limit| limit.unwrap_or(usual))
+}
+
 /// The section of a path or track.
-fn path(tags: Tags<'_>, class: RoadClass, users: Users, limit: f64) -> CrossSection {
-    let given = tags.get("width").and_then(|text| text.trim_end_matches(" m").parse::<f64>().ok());
-    let width = given.filter(|width| (0.5..=50.0).contains(width)).unwrap_or(match class {
-        RoadClass::Pedestrian => 5.0,
-        RoadClass::Tram | RoadClass::Rail => 3.0,
-        _ => 2.0,
+fn path(
+    tags: Tags<'_>,
+    class: RoadClass,
+    users: Users,
+    limit: f64,
+    element: Element,
+    report: &mut ImportReport,
+) -> CrossSection {
+    let given = tags.read("width", |text| metres(text).filter(|width| (0.5..=50.0).contains(width)));
+    let width = given.unwrap_or_else(|| {
+        let usual = match class {
+            RoadClass::Pedestrian => 5.0,
+            RoadClass::Tram | RoadClass::Rail => 3.0,
+            _ => 2.0,
+        };
+        report.guess(element, Guessed::Width(usual));
+        usual
     });
     let kind = if class.is_rail() { StripKind::Track } else { StripKind::Path };
     let both = users.has(Users::BICYCLE) && !tags.is("oneway", "yes|-1") && !tags.is("oneway:bicycle", "yes");
@@ -205,26 +241,25 @@ fn path(tags: Tags<'_>, class: RoadClass, users: Users, limit: f64) -> CrossSect
     CrossSection { forward: strip(width), backward: Vec::new(), median: 0.0 }
 }
 
-fn layer(tags: Tags<'_>) -> i8 {
-    let given = tags.get("layer").and_then(|text| text.parse::<i8>().ok());
-    given.unwrap_or(match structure(tags) {
-        Structure::Ground => 0,
-        Structure::Bridge => 1,
-        Structure::Tunnel => {
-            if tags.is("tunnel", "building_passage") || tags.is("covered", "yes") {
-                0
-            } else {
-                -1
-            }
-        }
-    })
-}
-
-fn structure(tags: Tags<'_>) -> Structure {
-    let yes = |key| tags.get(key).is_some_and(|value| value != "no");
-    match () {
-        () if yes("bridge") => Structure::Bridge,
-        () if yes("tunnel") || yes("covered") => Structure::Tunnel,
+/// Whether a way is a bridge or a tunnel, and its level.
+fn level(tags: Tags<'_>, element: Element, report: &mut ImportReport) -> (Structure, i8) {
+    let structure = match () {
+        () if tags.yes("bridge") => Structure::Bridge,
+        () if tags.yes("tunnel") || tags.yes("covered") => Structure::Tunnel,
         () => Structure::Ground,
-    }
+    };
+    let given = tags.read("layer", |text| text.parse::<i8>().ok());
+    let layer = given.unwrap_or_else(|| {
+        let passage = tags.is("tunnel", "building_passage") || tags.yes("covered");
+        let usual = match structure {
+            Structure::Bridge => 1,
+            Structure::Tunnel if !passage => -1,
+            _ => 0,
+        };
+        if structure != Structure::Ground {
+            report.guess(element, Guessed::Layer(usual));
+        }
+        usual
+    });
+    (structure, layer)
 }

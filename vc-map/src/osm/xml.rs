@@ -6,13 +6,16 @@ use quick_xml::events::{BytesStart, Event};
 use vc_graph::clip;
 
 use super::data::{Element, Open, OsmData};
-use super::{LARGEST, OsmError};
+use super::words::{Full, Room};
+use super::{LARGEST, OsmError, is_on_earth};
 
 /// An element that is open.
 struct Current {
     kind: Kind,
     id: i64,
     at: [f64; 2],
+    /// Whether it was deleted, and is told of only so that it can be told of.
+    gone: bool,
     open: Open,
     /// The depth of its own tag.
     depth: usize,
@@ -26,8 +29,8 @@ enum Kind {
 }
 
 impl OsmData {
-    /// Reads OpenStreetMap's XML. Everything but nodes, ways, relations and bounds is passed over. The data takes at most
-    /// 20 times the bytes of the file.
+    /// Reads OpenStreetMap's XML. Everything but nodes, ways, relations and bounds is passed over, and so are elements that
+    /// were deleted. The data takes at most 20 times the bytes of the file.
     ///
     /// ```
     /// use vc_map::osm::OsmData;
@@ -39,17 +42,20 @@ impl OsmData {
     /// ```
     ///
     /// # Errors
-    /// [`OsmError`] with the line: no XML, another root, missing numbers, a file that is cut off.
+    /// [`OsmError`] with the line (of a node that is not on Earth with its number): no XML, another root, missing numbers, a
+    /// file that is cut off.
     pub fn from_xml(file: &[u8]) -> Result<Self, OsmError> {
         if file.len() > LARGEST {
             return Err(OsmError::TooLarge(file.len()));
         }
-        let mut reader =
-            XmlReader { file, xml: Reader::from_reader(file), data: Self::default(), current: None, depth: 0 };
+        // An element of XML is longer than what is kept of it.
+        let mut data = Self::default();
+        data.room = Room(usize::MAX);
+        let mut reader = XmlReader { file, xml: Reader::from_reader(file), data, current: None, depth: 0 };
         reader.root()?;
         reader.all()?;
         let mut data = reader.data;
-        data.close();
+        data.close().map_err(|Full| OsmError::TooLarge(file.len()))?;
         Ok(data)
     }
 }
@@ -81,6 +87,7 @@ impl<'a> XmlReader<'a> {
                     self.depth = 1;
                     return Ok(());
                 }
+                Event::Empty(tag) if tag.name().as_ref() == "osm" => return Ok(()),
                 Event::Start(tag) | Event::Empty(tag) => format!("`<{}>`", clip(tag.name().as_ref())),
                 Event::Text(text) if !text.trim().is_empty() => format!("`{}`", clip(text.trim())),
                 Event::Eof => "the end of the file".to_owned(),
@@ -118,8 +125,7 @@ impl<'a> XmlReader<'a> {
             ("tag", true) => self.tag(tag),
             ("nd", true) => {
                 let id = self.whole(tag, "ref")?;
-                self.data.add_ref(id);
-                Ok(())
+                self.data.add_ref(id).map_err(|full| self.full(full))
             }
             ("member", true) => self.member(tag),
             ("bounds", false) => {
@@ -132,25 +138,24 @@ impl<'a> XmlReader<'a> {
 
     fn open(&mut self, tag: &BytesStart<'a>, kind: Kind) -> Result<(), OsmError> {
         let id = self.whole(tag, "id")?;
-        // A deleted node has no place.
-        let at = if kind == Kind::Node && attribute(tag, "visible").as_deref() != Some("false") {
-            [self.number(tag, "lat")?, self.number(tag, "lon")?]
-        } else {
-            [f64::NAN; 2]
-        };
-        self.current = Some(Current { kind, id, at, open: self.data.open(), depth: self.depth });
+        let said = |name, value| attribute(tag, name).as_deref() == Some(value);
+        // As the database and as an editor tell of it. A deleted node has no place.
+        let gone = said("visible", "false") || said("action", "delete");
+        let at = if kind == Kind::Node && !gone { self.place(tag, id)? } else { [f64::NAN; 2] };
+        self.current = Some(Current { kind, id, at, gone, open: self.data.open(), depth: self.depth });
         Ok(())
     }
 
     fn end(&mut self) -> Result<(), OsmError> {
-        if let Some(current) = self.current.take_if(|current| current.depth == self.depth) {
-            match current.kind {
-                Kind::Node if current.at[0].is_nan() && current.at[1].is_nan() => {}
-                Kind::Node => self.data.add_node(current.id, current.at, &current.open)?,
+        if let Some(current) = self.current.take_if(|current| current.depth == self.depth && !current.gone) {
+            let done = match current.kind {
+                Kind::Node => self.data.add_node(current.id, current.at, &current.open),
                 Kind::Way => self.data.add_way(current.id, &current.open),
                 Kind::Relation => self.data.add_relation(current.id, &current.open),
-            }
+            };
+            done.map_err(|full| self.full(full))?;
         }
+        self.current.take_if(|current| current.depth == self.depth);
         self.depth -= 1;
         Ok(())
     }
@@ -159,8 +164,10 @@ impl<'a> XmlReader<'a> {
         let (Some(key), Some(value)) = (attribute(tag, "k"), attribute(tag, "v")) else {
             return Err(OsmError::Attribute { line: self.line(), element: "tag".to_owned(), attribute: "k" });
         };
-        self.data.add_tag(&key, &value);
-        Ok(())
+        let tag = [&key, &value].map(|word| self.data.number(word));
+        let [key, value] = tag;
+        let added = key.and_then(|key| self.data.add_tag([key, value?]));
+        added.map_err(|full| self.full(full))
     }
 
     fn member(&mut self, tag: &BytesStart<'a>) -> Result<(), OsmError> {
@@ -171,8 +178,18 @@ impl<'a> XmlReader<'a> {
             _ => Element::Way(id),
         };
         let role = attribute(tag, "role").unwrap_or_default();
-        self.data.add_member(element, &role);
-        Ok(())
+        let added = self.data.number(&role).and_then(|role| self.data.add_member(element, role));
+        added.map_err(|full| self.full(full))
+    }
+
+    /// Degrees of latitude and longitude.
+    fn place(&self, tag: &BytesStart<'a>, id: i64) -> Result<[f64; 2], OsmError> {
+        let at = [self.number(tag, "lat")?, self.number(tag, "lon")?];
+        if is_on_earth(at) { Ok(at) } else { Err(OsmError::Place(id)) }
+    }
+
+    fn full(&self, _: Full) -> OsmError {
+        OsmError::TooLarge(self.file.len())
     }
 
     fn bounds(&mut self, tag: &BytesStart<'a>) {

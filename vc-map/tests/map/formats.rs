@@ -67,7 +67,7 @@ proptest! {
         let ends = [draft.junction([x, y], Control::Signals), draft.junction([0.0, 0.0], Control::Priority)];
         let side = vec![Strip::driving(width, limit)];
         draft.road(ends[0], ends[1], RoadClass::Minor, CrossSection { forward: side.clone(), backward: side, median });
-        draft.roads[0].source = source;
+        draft.roads[0].source = vec![source];
         draft.buildings.push(Building { height, base, source, ..Building::new(vec![[x, y], [y, x], [0.0, -y]], 1) });
         draft.buildings[0].storeys = storeys;
         draft.entrances.push(EntranceDraft { building: BuildingId(0), at: [y, x], kind: "yes".to_owned(), source });

@@ -91,7 +91,7 @@ fn marked_lanes_lead_where_their_marks_say_and_bans_are_kept() {
         roads.push(draft.road(end, middle, RoadClass::Secondary, street(2)));
     }
     draft.roads[0].section.forward[0].turns = vc_map::Turns::LEFT;
-    draft.bans.push(TurnBan { from: roads[1], at: middle, to: roads[2] });
+    draft.bans.push(TurnBan::new(roads[1], middle, roads[2]));
     let map = draft.build().unwrap();
     let from = |road: RoadId, index| {
         let lane = map

@@ -1,15 +1,22 @@
 //! Tests of vc-map through its public API.
 #![allow(clippy::unwrap_used, reason = "tests may unwrap")]
 
+mod account;
 mod bounds;
+mod control;
 mod formats;
+mod hostile;
 mod junctions;
+mod lanes;
 mod lines;
+mod memory;
 mod opendrive;
 mod osm;
+mod pbf;
 mod pictures;
 mod readers;
 mod real;
 mod right_of_way;
 mod routes;
 mod town;
+mod world;

@@ -2,13 +2,13 @@
 
 use std::fmt::Write;
 
-use vc_map::osm::{Element, Guessed, ImportOptions, OsmData, OsmError, Reason};
-use vc_map::{Control, CrossingKind, DrivingSide, RoadClass, StripKind, Users};
+use vc_map::osm::{Element, Guessed, ImportOptions, ImportReport, OsmData, OsmError, Reason};
+use vc_map::{Control, CrossingKind, DrivingSide, RoadClass, StreetMap, StripKind, Users};
 
 use crate::town::import;
 
 /// A file of nodes, in hundreds of metres from 48 N, 11 E, and ways as lists of nodes with tags.
-fn file(nodes: &[(i64, f64, f64, &str)], ways: &[(i64, &[i64], &str)], rest: &str) -> String {
+pub(crate) fn file(nodes: &[(i64, f64, f64, &str)], ways: &[(i64, &[i64], &str)], rest: &str) -> String {
     let tags = |text: &str| -> String {
         text.split_whitespace().map(|tag| tag.split_once('=').unwrap()).fold(String::new(), |mut all, (key, value)| {
             write!(all, r#"<tag k="{key}" v="{value}"/>"#).unwrap();
@@ -28,8 +28,13 @@ fn file(nodes: &[(i64, f64, f64, &str)], ways: &[(i64, &[i64], &str)], rest: &st
 }
 
 /// A crossroads at node 1 with arms to nodes 2 to 5.
-const CROSS: [(i64, f64, f64, &str); 5] =
+pub(crate) const CROSS: [(i64, f64, f64, &str); 5] =
     [(1, 0.0, 0.0, ""), (2, 1.0, 0.0, ""), (3, 0.0, 1.0, ""), (4, -1.0, 0.0, ""), (5, 0.0, -1.0, "")];
+
+/// A street of 100 m with these tags.
+pub(crate) fn street(tags: &str) -> (StreetMap, ImportReport) {
+    import(&file(&[(1, 0.0, 0.0, ""), (2, 1.0, 0.0, "")], &[(9, &[1, 2], tags)], ""))
+}
 
 #[test]
 fn lanes_limits_and_one_way_streets_in_both_directions() {
@@ -191,17 +196,45 @@ fn buildings_from_ways_and_relations_with_heights_and_doors() {
 
 #[test]
 fn extracts_cut_at_the_edge_lose_what_is_not_there_and_say_so() {
-    let ways: [(i64, &[i64], &str); 4] = [
+    let ways: [(i64, &[i64], &str); 7] = [
         (1, &[4, 1, 2, 99], "highway=residential"),
         (2, &[98, 97], "highway=residential"),
         (3, &[3, 5], "highway=construction"),
         (4, &[3, 3], "highway=residential"),
+        (5, &[1, 2, 3, 99, 1], "building=yes"),
+        (6, &[1, 2], "building=yes"),
+        (7, &[1, 2, 3, 1], ""),
     ];
-    let (map, report) = import(&file(&CROSS, &ways, ""));
-    assert_eq!(map.roads().len(), 1);
+    let relations = r#"<relation id="1"><member type="way" ref="7" role="outer"/><member type="way" ref="77" role="outer"/>
+        <tag k="type" v="multipolygon"/><tag k="natural" v="water"/></relation>
+        <relation id="2"><member type="way" ref="77" role="outer"/><tag k="type" v="multipolygon"/><tag k="building" v="yes"/></relation>"#;
+    let (map, report) = import(&file(&CROSS, &ways, relations));
+    assert_eq!((map.roads().len(), map.areas().len(), map.buildings().len()), (1, 1, 0));
     assert!(map.junctions().iter().any(|junction| junction.draft.control == Control::Edge && junction.at.x > 50.0));
-    for (way, reason) in [(2, Reason::CutOff), (3, Reason::NotThere), (4, Reason::CutOff)] {
-        assert!(report.dropped.contains(&(Element::Way(way), reason)), "{report}");
+    for (way, reason) in [
+        (1, Reason::Shortened),
+        (2, Reason::CutOff),
+        (3, Reason::NotThere),
+        (4, Reason::NoShape),
+        (5, Reason::CutOff),
+        (6, Reason::NoShape),
+    ] {
+        assert!(report.dropped.contains(&(Element::Way(way), reason)), "{way} {report}");
+    }
+    for (relation, reason) in [(1, Reason::Shortened), (2, Reason::CutOff)] {
+        assert!(report.dropped.contains(&(Element::Relation(relation), reason)), "{relation} {report}");
+    }
+}
+
+#[test]
+fn a_way_that_is_cut_at_its_start_still_ends_where_it_ends() {
+    for (refs, cut) in [([99, 1, 2], 1), ([1, 2, 99], 2), ([2, 1, 99], 1)] {
+        let nodes = [(1, -1.0, 0.0, ""), (2, 1.0, 0.0, "")];
+        let (map, _) = import(&file(&nodes, &[(9, &refs, "highway=residential")], ""));
+        for junction in map.junctions() {
+            let expected = if junction.draft.source == [cut] { Control::Edge } else { Control::Priority };
+            assert_eq!(junction.draft.control, expected, "{refs:?} {:?}", junction.draft.source);
+        }
     }
 }
 
