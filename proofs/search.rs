@@ -49,7 +49,7 @@ fn acted(home: &Environment, me: NodeId, seed: usize) -> Environment {
     copy
 }
 
-/// What a search found and took.
+/// The findings of a search, and its costs.
 #[derive(Default)]
 struct Search {
     /// All states, as a search keeps them that looks up the way to its goal in the end.

@@ -29,7 +29,7 @@ const PATIENCE: Span = Span(60);
 pub(super) struct Journey {
     /// The walk that it was given; none if it was sent to a region.
     pub(super) action: Option<Action>,
-    /// What is still to be done; the first goes on, unless it waits.
+    /// The legs that are left; the first goes on, unless it waits.
     legs: VecDeque<Leg>,
     stage: Stage,
     /// How often somebody was in the way of the leg.

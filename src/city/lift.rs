@@ -15,7 +15,7 @@ const OPEN: u64 = 300;
 const SPEED: f64 = 1.0;
 const ACCELERATION: f64 = 0.8;
 
-/// What a lift is doing.
+/// The state of a lift.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum LiftState {

@@ -122,7 +122,7 @@ impl City {
         node.map_or_else(|| Label { class: "?".into(), id }, vc_graph::Node::label)
     }
 
-    /// What an agent is doing or is about to do: a walk to another region as it was given.
+    /// The action that an agent is doing or is about to begin: a walk to another region as it was given.
     pub fn current_action(&self, agent: NodeId) -> Option<&Action> {
         match self.journeys.get(&agent) {
             Some(journey) => journey.action.as_ref(),

@@ -122,7 +122,7 @@ fn whoever_goes_takes_along_what_it_carries() {
     let feet = environment.world().pose(me).unwrap().translation;
     assert!((0.2..1.5).contains(&feet.x) && (1.5..3.5).contains(&feet.y), "{feet}");
     assert!(environment.graph().room_of(me).is_some());
-    // What it puts down there stays there.
+    // The cup stays where it is put down.
     let table = of_class(&city, landing(0), "table");
     city.set_action(me, Action::walk(table)).unwrap();
     city.set_action(me, Action::place(cup, table)).unwrap();

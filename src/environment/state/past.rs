@@ -1,4 +1,4 @@
-//! What has been done since the last reset. The states of a search share it as far as it is the same.
+//! The actions since the last reset. The states of a search share it as far as it is the same.
 
 use std::sync::Arc;
 

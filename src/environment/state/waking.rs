@@ -32,7 +32,7 @@ pub(in crate::environment) struct Awake {
     floor: Floor,
 }
 
-/// What can be built from a state.
+/// The parts that can be built from a state.
 pub(in crate::environment) trait Part: Clone {
     fn of(awake: &Awake) -> &Self;
 }

@@ -37,8 +37,8 @@ impl Traveller {
 
 /// # Agents who come and go
 impl PhysicsWorld {
-    /// Takes an agent that stands out of the world, with the things in its hands and all that is on and in them. What they
-    /// are like goes with them: opened lids, pinned loads, levels of liquids but for still water.
+    /// Takes an agent that stands out of the world, with the things in its hands and all that is on and in them, as they are:
+    /// with opened lids and pinned loads. Still water is left out.
     ///
     /// # Errors
     /// [`AgentError::NoSuchAgent`], [`AgentError::Posture`] unless it stands; nothing has changed then.
