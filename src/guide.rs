@@ -325,7 +325,8 @@
 //!         if task.score(&child, me) == 1.0 {
 //!             break 'search child;
 //!         }
-//!         open.push_back(child.save_state()?);
+//!         // One in which something still rolls, say, is passed over.
+//!         open.extend(child.save_state().ok());
 //!     }
 //! };
 //! let verbs: Vec<Verb> = won.history().events().iter().map(|event| event.action.verb).collect();

@@ -53,6 +53,9 @@ pub enum CityError {
         /// The region where it was to go.
         to: RegionId,
     },
+    /// The agent has not ended within an hour, and was interrupted.
+    #[error("{0} has not ended within an hour, and was interrupted: `give` and `step` wait longer")]
+    TooLong(Label),
     /// A way to another region was given up for another action.
     #[error("{0} was interrupted on its way: it was given something else to do, or told to stop")]
     Interrupted(Label),

@@ -8,9 +8,11 @@ use vc_graph::hash::Digester;
 use vc_graph::portable::Portable;
 use vc_graph::space::{Portal, PortalId, PortalKind, RegionId, Space};
 use vc_graph::{Action, ChangeSet, NodeId, Pose, Verb};
+use vc_physics::Posture;
 
 use super::time::CityEnding;
-use super::{City, CityError};
+use super::{City, CityError, lift};
+use crate::Environment;
 use crate::environment::TravelError;
 
 /// Speed on level ground and over stairs, along their slope, metres a second.
@@ -91,7 +93,8 @@ impl Journey {
             Stage::Waiting(until) => hash.words([0, until.0]),
             Stage::Acting => hash.word(1),
             Stage::Crossing(crossing) => {
-                let at = [u64::from(crossing.portal.0), u64::from(crossing.is_beyond), crossing.begun.0];
+                let flags = u64::from(crossing.is_beyond) + 2 * u64::from(crossing.shuts);
+                let at = [u64::from(crossing.portal.0), flags, crossing.begun.0];
                 hash.word(2).words(at)
             }
         };
@@ -103,7 +106,7 @@ impl City {
     pub(super) fn elsewhere(&self, agent: NodeId, action: &Action) -> Option<RegionId> {
         let goes = matches!(action.verb, Verb::Walk | Verb::Run | Verb::Find);
         let region = self.region_of(action.object.filter(|_| goes)?)?;
-        (Some(region) != self.region_of(agent)).then_some(region)
+        (Some(region) != self.begins_at(agent).map(|(here, _)| here)).then_some(region)
     }
 
     /// Plans a way to another region, and an action there; whoever is between two regions gets through first.
@@ -145,15 +148,28 @@ impl City {
         matches!(self.journeys.get(&agent), Some(Journey { stage: Stage::Crossing(_), .. }))
     }
 
+    /// Ends an action of an agent's region, and takes note of it.
+    pub(super) fn stop_acting(&mut self, agent: NodeId) {
+        let Some(environment) = self.environment_mut(agent) else { return };
+        environment.interrupt(agent);
+        for ended in environment.step(Span(0)) {
+            self.note(ended.tick, ended.agent, ended.action, ended.outcome.map_err(CityError::from));
+        }
+    }
+
     /// Ends a journey where it is; returns it if the agent is between two regions.
     pub(super) fn break_off(&mut self, agent: NodeId) -> Option<Journey> {
-        let journey = self.journeys.remove(&agent)?;
-        if let Stage::Acting = journey.stage
-            && let Some(environment) = self.environment_mut(agent)
-        {
-            environment.interrupt(agent);
+        let Some(journey) = self.journeys.remove(&agent) else {
+            self.stop_acting(agent);
+            return None;
+        };
+        if let Stage::Acting = journey.stage {
+            let known = self.endings.len();
+            self.stop_acting(agent);
             // The ending is that of a leg: the journey's own tells more.
-            environment.step(Span(0));
+            if let Some(leg) = (known..self.endings.len()).rfind(|at| self.endings[*at].agent == agent) {
+                self.endings.remove(leg);
+            }
         }
         let why = CityError::Interrupted(self.label(agent));
         self.endings.push(CityEnding { tick: self.tick, agent, action: journey.action, outcome: Err(why) });
@@ -232,9 +248,19 @@ impl City {
         }
     }
 
+    /// Whether the leg of an agent is a portal of a lift, which has to leave before the next try.
+    fn waits_for_lift(&self, agent: NodeId) -> bool {
+        let Some(Leg::Cross(portal)) = self.journeys.get(&agent).and_then(|journey| journey.legs.front()) else {
+            return false;
+        };
+        let plan = self.space().portal(*portal);
+        plan.is_some_and(|plan| plan.sides.iter().any(|side| self.lifts.contains_key(&side.region)))
+    }
+
     /// A leg cannot be done: if somebody is in the way, it is tried again later.
     fn leg_failed(&mut self, agent: NodeId, why: CityError) {
-        let later = Tick(self.tick.0 + PATIENCE.0);
+        let patience = if self.waits_for_lift(agent) { lift::ROUND } else { PATIENCE };
+        let later = Tick(self.tick.0 + patience.0);
         match self.journeys.get_mut(&agent) {
             Some(journey)
                 if why.may_pass() && journey.tries < TRIES && !matches!(journey.legs.front(), Some(Leg::Act(_))) =>
@@ -258,9 +284,10 @@ impl City {
         if self.lifts.contains_key(&region) {
             return Ok(None);
         }
-        let before = before(plan, region);
+        let before = beside(plan, region);
         let spot = environment.spot_near(agent, before).ok_or(TravelError::NoFloor { region, within: 1.5 })?;
-        if distance(&spot, &Point2::from(feet.translation.vector.xy())) < THERE {
+        let stands = environment.posture(agent) == Some(Posture::Standing);
+        if stands && distance(&spot, &Point2::from(feet.translation.vector.xy())) < THERE {
             return Ok(None);
         }
         let walk = Action::zero(Verb::Walk).at(f64::from(spot.x), f64::from(spot.y));
@@ -303,16 +330,41 @@ impl City {
             Stage::Crossing(crossing) => Some((*agent, crossing.clone())),
             _ => None,
         };
-        for (agent, mut crossing) in self.journeys.iter().filter_map(crossing).collect::<Vec<_>>() {
+        let crossings = self.journeys.iter().filter_map(crossing).map(|(agent, _)| agent).collect::<Vec<NodeId>>();
+        for agent in crossings {
+            let Some((_, mut crossing)) = self.journeys.get_key_value(&agent).and_then(crossing) else { continue };
             match self.go_through(agent, &mut crossing) {
                 Ok(false) => {
                     if let Some(journey) = self.journeys.get_mut(&agent) {
                         journey.stage = Stage::Crossing(crossing);
                     }
                 }
-                Ok(true) => self.leg_done(agent),
-                Err(why) => self.leg_failed(agent, why),
+                Ok(true) => {
+                    self.leg_done(agent);
+                    self.shut_behind(&crossing);
+                }
+                Err(why) => {
+                    self.leg_failed(agent, why);
+                    self.shut_behind(&crossing);
+                }
             }
+        }
+    }
+
+    /// Shuts the leaf that somebody has opened, or leaves that to another one who is passing.
+    fn shut_behind(&mut self, passed: &Crossing) {
+        if !passed.shuts {
+            return;
+        }
+        let mut others = self.journeys.values_mut().filter_map(|journey| match &mut journey.stage {
+            Stage::Crossing(crossing) => Some(crossing).filter(|crossing| crossing.portal == passed.portal),
+            _ => None,
+        });
+        if let Some(other) = others.next() {
+            other.shuts = true;
+        } else if let Some(plan) = self.space().clone().portal(passed.portal) {
+            // A leaf that jams stays open.
+            let _ = self.set_leaf(plan, false);
         }
     }
 
@@ -321,7 +373,7 @@ impl City {
         let gone = (self.tick.0 - crossing.begun.0) as f32 / TICKS_PER_SECOND as f32;
         let Some(feet) = along(&crossing.way, gone) else {
             if crossing.is_beyond {
-                self.come_through(agent, crossing)?;
+                self.come_through(agent, crossing);
                 return Ok(true);
             }
             self.hand_over(agent, crossing)?;
@@ -345,11 +397,20 @@ impl City {
         let feet = self.feet(agent).unwrap_or_else(Pose::identity);
         let threshold = Pose::from_parts(side.pose.translation, (shift * feet).rotation);
         self.wake(into)?;
-        let Some(home) = self.active.get_mut(&from) else { return Ok(()) };
-        let (departure, left) = home.depart(agent, from)?;
-        let Some(next) = self.active.get_mut(&into) else { return Ok(()) };
+        let both = [from, into].into_iter().filter_map(|region| Some((region, self.active.get(&region)?.clone())));
+        let before: Vec<(RegionId, Environment)> = both.collect();
+        let home = self.active.get_mut(&from).ok_or(CityError::NoScene(from))?;
+        let departed = home.depart(agent, from);
+        let (departure, left) = match departed {
+            Ok(departed) => departed,
+            Err(why) => {
+                self.active.extend(before);
+                return Err(why.into());
+            }
+        };
+        let next = self.active.get_mut(&into).ok_or(CityError::NoScene(into))?;
         let room = side.room.or_else(|| next.room_to_enter().map(|(room, _)| room)).unwrap_or(NodeId(0));
-        match next.arrive(&departure, (into, room), &shift, threshold, before(plan, into)) {
+        let done = match next.arrive(&departure, (into, room), &shift, threshold, beside(plan, into)) {
             Ok((spot, entered)) => {
                 for node in departure.nodes() {
                     if self.space().made_in(node) == Some(into) {
@@ -363,28 +424,20 @@ impl City {
                 self.changed(agent, left.then(entered));
                 Ok(())
             }
-            Err(why) => {
-                // Back to where it came from.
-                let back = Point2::from(feet.translation.vector.xy());
-                if let Some(home) = self.active.get_mut(&from) {
-                    let room = home.room_to_enter().map_or(NodeId(0), |(room, _)| room);
-                    home.arrive(&departure, (from, room), &Pose::identity(), feet, back)?;
-                }
-                Err(why.into())
-            }
+            Err(why) => Err(why.into()),
+        };
+        if done.is_err() {
+            // Nobody is lost between two regions.
+            self.active.extend(before);
         }
+        done
     }
 
-    fn come_through(&mut self, agent: NodeId, crossing: &Crossing) -> Result<(), CityError> {
-        let space = self.space().clone();
+    fn come_through(&mut self, agent: NodeId, crossing: &Crossing) {
         let last = crossing.way.last().copied().unwrap_or_else(Point3::origin);
         if let Some(environment) = self.environment_mut(agent) {
             let rotation = environment.world().pose(agent).map_or_else(UnitQuaternion::identity, |pose| pose.rotation);
             environment.place_feet(agent, Pose::from_parts(last.coords.into(), rotation));
-        }
-        match space.portal(crossing.portal).filter(|_| crossing.shuts) {
-            Some(plan) => self.set_leaf(plan, false),
-            None => Ok(()),
         }
     }
 }
@@ -396,7 +449,7 @@ fn leads_up(plan: &Portal, from: RegionId) -> bool {
 
 /// The point of a region from which one goes through a portal, or to which one comes: the foot of its stairs, or a step
 /// behind its threshold.
-fn before(plan: &Portal, region: RegionId) -> Point2<f32> {
+fn beside(plan: &Portal, region: RegionId) -> Point2<f32> {
     let foot = plan.stairs.first().filter(|_| leads_up(plan, region));
     let inside = plan.side(region).map(|side| side.pose * Point3::new(-INWARD, 0.0, 0.0));
     foot.copied().or(inside).map_or_else(Point2::origin, |point| point.xy())

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use nalgebra::Point3;
-use vc_graph::clock::{TICKS_PER_SECOND, Tick};
+use vc_graph::clock::{Span, TICKS_PER_SECOND, Tick};
 use vc_graph::hash::Digester;
 use vc_graph::space::{Region, RegionFrame};
 
@@ -11,6 +11,8 @@ use vc_graph::space::{Region, RegionFrame};
 const DOOR: u64 = 150;
 /// The ticks for which they stay open, at least: 5 s.
 const OPEN: u64 = 300;
+/// A lift that stands open has left by then, unless somebody else calls it.
+pub(super) const ROUND: Span = Span(OPEN + 3 * DOOR);
 /// Speed of a cabin, metres a second, and its acceleration, metres per second squared.
 const SPEED: f64 = 1.0;
 const ACCELERATION: f64 = 0.8;

@@ -14,7 +14,7 @@ mod time;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use vc_graph::clock::Tick;
+use vc_graph::clock::{Span, Tick};
 use vc_graph::hash::Digester;
 use vc_graph::space::{Portal, PortalId, PortalState, RegionFrame, RegionId, Space};
 use vc_graph::{Action, Digest, Label, NodeId, Observation};
@@ -160,8 +160,10 @@ impl City {
     pub fn digest(&self) -> Digest {
         let mut hash = Digester::new();
         hash.words([self.space().digest().0, self.tick.0]);
-        for (region, environment) in self.active.iter().chain(&self.asleep).collect::<BTreeMap<_, _>>() {
-            hash.words([u64::from(region.0), environment.digest().0]);
+        let asleep = self.asleep.iter().map(|(region, environment)| (region, self.as_woken(environment).digest()));
+        let active = self.active.iter().map(|(region, environment)| (region, environment.digest()));
+        for (region, digest) in active.chain(asleep).collect::<BTreeMap<_, _>>() {
+            hash.words([u64::from(region.0), digest.0]);
         }
         self.whereabouts.iter().for_each(|(node, region)| _ = hash.words([u64::from(node.0), u64::from(region.0)]));
         self.journeys.iter().for_each(|(agent, journey)| journey.feed(*agent, &mut hash));
@@ -171,14 +173,19 @@ impl City {
 
     /// A number for what differs in a region from how it was made; none if nothing does, or nobody has been there.
     pub fn region_digest(&self, region: RegionId) -> Option<Digest> {
-        let active = self.active.get(&region).filter(|environment| !environment.is_as_made());
-        active.or_else(|| self.asleep.get(&region)).map(Environment::digest)
+        let active = self.active.get(&region).filter(|environment| !environment.is_as_made()).map(Environment::digest);
+        active.or_else(|| Some(self.as_woken(self.asleep.get(&region)?).digest()))
     }
 
-    /// Lets an agent take only portals of which something holds: no lifts, say. Those through which nobody fits are never
-    /// taken.
-    ///
-    /// It is part of neither digest nor save.
+    /// A region that was left as it is now.
+    fn as_woken(&self, environment: &Environment) -> Environment {
+        let mut woken = environment.clone();
+        woken.step(Span(self.tick.0.saturating_sub(woken.tick().0)));
+        woken
+    }
+
+    /// Lets an agent take only portals of which something holds: no lifts, say. Windows are never taken. It is no part of
+    /// the digest.
     pub fn set_ways(&mut self, agent: NodeId, takes: impl Fn(&Portal) -> bool + Send + Sync + 'static) {
         self.ways.insert(agent, Arc::new(takes));
     }

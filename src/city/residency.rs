@@ -38,7 +38,7 @@ impl City {
     pub(super) fn let_rest(&mut self) {
         let is_needed = |region: &RegionId| {
             let crossed = |journey: &super::Journey| journey.needs(*region);
-            self.whereabouts.iter().any(|(node, at)| at == region && self.agents.contains(node))
+            self.agents.iter().any(|agent| self.whereabouts.get(agent) == Some(region))
                 || self.journeys.values().any(crossed)
                 || self.has_open_lift(*region)
         };

@@ -5,6 +5,7 @@ use vc_graph::space::RegionId;
 use vc_graph::{Action, ChangeSet, NodeId};
 
 use super::{City, CityError};
+use crate::{ActionError, Interruption};
 
 /// An action in a city that has ended, as [`City::step`] reports it.
 #[derive(Debug, Clone)]
@@ -20,7 +21,19 @@ pub struct CityEnding {
     pub outcome: Result<ChangeSet, CityError>,
 }
 
-/// An action that takes longer is left alone: an hour.
+impl CityEnding {
+    /// Whether it is that of an agent's action, and not of one for which it was given another at once.
+    fn is_last_of(&self, agent: NodeId) -> bool {
+        let replaced = match &self.outcome {
+            Err(CityError::Action(ActionError::Interrupted { why, .. })) => matches!(**why, Interruption::Replaced(_)),
+            Err(CityError::Interrupted(_)) => true,
+            _ => false,
+        };
+        self.agent == agent && !replaced
+    }
+}
+
+/// An action that takes longer is given up: an hour.
 const LONGEST: Span = Span(3600 * 60);
 
 impl City {
@@ -48,9 +61,7 @@ impl City {
             true => drop(self.set_out(agent, None, None)),
             false => {
                 self.break_off(agent);
-                if let Some(environment) = self.environment_mut(agent) {
-                    environment.interrupt(agent);
-                }
+                self.stop_acting(agent);
             }
         }
     }
@@ -70,7 +81,6 @@ impl City {
     /// [`CityError`].
     pub fn go(&mut self, agent: NodeId, region: RegionId) -> Result<ChangeSet, CityError> {
         self.send(agent, region)?;
-        self.forget_interrupted(agent);
         self.finish(agent)
     }
 
@@ -80,23 +90,23 @@ impl City {
     /// [`CityError`], as [`Environment::set_action`](crate::Environment::set_action).
     pub fn set_action(&mut self, agent: NodeId, action: Action) -> Result<ChangeSet, CityError> {
         self.give(agent, action)?;
-        self.forget_interrupted(agent);
         self.finish(agent)
     }
 
-    /// Whoever asks for an agent's next ending does not ask for that of the action before.
-    fn forget_interrupted(&mut self, agent: NodeId) {
-        self.endings.retain(|ending| ending.agent != agent);
-    }
-
+    /// Lets time pass until an agent has ended what it was just given. Endings of before are left for [`step`](Self::step).
     fn finish(&mut self, agent: NodeId) -> Result<ChangeSet, CityError> {
-        let end = self.tick + LONGEST;
-        let is_open = |city: &Self| city.endings.iter().all(|ending| ending.agent != agent);
-        while self.tick < end && is_open(self) {
-            self.advance(end, true);
+        let (end, known) = (self.tick + LONGEST, self.endings.len());
+        let own = |city: &Self| (known..city.endings.len()).find(|at| city.endings[*at].is_last_of(agent));
+        while self.tick < end && own(self).is_none() {
+            self.advance(end, Some((agent, known)));
         }
-        let at = self.endings.iter().position(|ending| ending.agent == agent);
-        at.map_or_else(|| Ok(ChangeSet::default()), |at| self.endings.remove(at).outcome)
+        match own(self) {
+            Some(at) => self.endings.remove(at).outcome,
+            None => {
+                self.interrupt(agent);
+                Err(CityError::TooLong(self.label(agent)))
+            }
+        }
     }
 
     /// Lets a span of time pass in all regions. Returns the actions that have ended, in the order of their ticks.
@@ -105,24 +115,30 @@ impl City {
     pub fn step(&mut self, span: Span) -> Vec<CityEnding> {
         let end = self.tick + span;
         while self.tick < end {
-            self.advance(end, false);
+            self.advance(end, None);
         }
         std::mem::take(&mut self.endings)
     }
 
-    /// Lets time pass until a tick at most, or until something has to be looked at: an ending if `each` is asked for, a
-    /// step of a journey.
-    fn advance(&mut self, end: Tick, each: bool) {
+    /// Lets time pass until a tick at most, or until something has to be looked at: a step of a journey, or the end of what
+    /// an agent does, if its ending is the first after some that are known.
+    fn advance(&mut self, end: Tick, whom: Option<(NodeId, usize)>) {
         let now = self.tick;
         self.journeys_begin();
-        let in_transit = !self.journeys.is_empty() || self.lifts.values().any(|lift| !lift.is_idle());
-        let to = if in_transit || (each && self.busy().count() > 1) { Tick(now.0 + 1) } else { end };
-        let mut ended = Vec::new();
-        let alone = self.busy().next().filter(|_| each && to == end);
-        if let Some(environment) = alone.and_then(|region| self.active.get_mut(&region)) {
-            ended.extend(environment.step_until_idle(Span(to.0 - now.0)));
+        let has_ended = |(agent, known): (NodeId, usize)| self.endings[known..].iter().any(|e| e.is_last_of(agent));
+        if whom.is_some_and(has_ended) {
+            return;
         }
-        let to = alone.and_then(|region| self.active.get(&region)).map_or(to, |environment| environment.tick());
+        let in_transit = !self.journeys.is_empty() || self.lifts.values().any(|lift| !lift.is_idle());
+        let alone = whom.filter(|_| !in_transit && self.busy().count() <= 1);
+        let to = if in_transit || (whom.is_some() && alone.is_none()) { Tick(now.0 + 1) } else { end };
+        let mut ended = Vec::new();
+        let region = alone.and_then(|(agent, _)| self.region_of(agent));
+        let mut to = to;
+        if let Some(((agent, _), environment)) = alone.zip(region.and_then(|region| self.active.get_mut(&region))) {
+            ended.extend(environment.step_while_acting(agent, Span(to.0 - now.0)));
+            to = environment.tick();
+        }
         for environment in self.active.values_mut() {
             ended.extend(environment.step(Span(to.0 - environment.tick().0)));
         }
@@ -133,6 +149,8 @@ impl City {
         }
         self.lifts_pass();
         self.journeys_pass();
+        // At the end of a tick all has begun that can: it does not matter whether somebody asks for the next.
+        self.journeys_begin();
         self.let_rest();
     }
 
@@ -142,7 +160,7 @@ impl City {
     }
 
     /// An action in a region has ended: that of a journey, or one that was given.
-    fn note(&mut self, tick: Tick, agent: NodeId, action: Action, outcome: Result<ChangeSet, CityError>) {
+    pub(super) fn note(&mut self, tick: Tick, agent: NodeId, action: Action, outcome: Result<ChangeSet, CityError>) {
         if self.journeys.contains_key(&agent) {
             self.leg_ended(agent, outcome);
         } else {

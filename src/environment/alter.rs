@@ -318,6 +318,7 @@ impl Environment {
         lamps.retain(|id| self.graph.node(*id).is_some_and(|n| n.is(State::On) != on));
         lamps.sort_unstable();
         lamps.dedup();
+        self.world.differ();
         let mut edit = self.graph.edit();
         lamps.iter().try_for_each(|id| edit.enter_state(*id, state))?;
         edit.commit();
@@ -393,13 +394,23 @@ impl Environment {
     }
 
     /// The middle of the cell nearest to a point where an agent can stand.
-    pub(super) fn free_near(&self, agent: NodeId, at: &Point2<f32>) -> Option<[f32; 2]> {
+    fn free_near(&self, agent: NodeId, at: &Point2<f32>) -> Option<[f32; 2]> {
+        self.free_near_where(agent, at, |_| true)
+    }
+
+    /// As [`Self::free_near`], of the points for which something holds.
+    pub(super) fn free_near_where(
+        &self,
+        agent: NodeId,
+        at: &Point2<f32>,
+        holds: impl Fn(&Point2<f32>) -> bool,
+    ) -> Option<[f32; 2]> {
         let grid = self.floor.occupancy();
         let cells = (0..grid.rows).flat_map(|row| (0..grid.columns).map(move |column| (column, row)));
         let free = cells.filter(|(column, row)| grid.is_free(*column, *row));
         let mut near: Vec<Point2<f32>> = free.map(|(column, row)| grid.centre(column, row)).collect();
         let far = |p: &Point2<f32>| (p - at).norm();
-        near.retain(|p| far(p) <= INSTEAD);
+        near.retain(|p| far(p) <= INSTEAD && holds(p));
         near.sort_by(|a, b| far(a).total_cmp(&far(b)));
         near.into_iter().find(|p| self.stands_at(agent, p)).map(Into::into)
     }

@@ -164,6 +164,7 @@ impl Environment {
             return Ok(ResetReport::default());
         }
         if *graph == self.graph && self.world.awake() == 0 && self.clock.controls.is_empty() {
+            self.world.differ();
             (self.past, self.poses) = (Past::default(), BTreeMap::new());
             self.clock = Clock::at(&self.world);
             return Ok(Plan::of(&[&self.start.graph], graph).report(&self.start.graph, graph, graph));

@@ -1,11 +1,12 @@
 //! Agents who leave an environment for another, with what they carry: how one gets from region to region of a city.
 
 use nalgebra::Point2;
+use vc_graph::clock::Span;
 use vc_graph::space::{Load, PassError, RegionId};
 use vc_graph::{ChangeSet, Label, NodeId, Pose, SceneGraph};
 use vc_physics::{PhysicsWorld, Traveller};
 
-use super::{Environment, PhysicalRefusal, make, observe};
+use super::{Ending, Environment, PhysicalRefusal, make, observe};
 
 /// An agent that has left an environment, with its body and all that it carries.
 #[derive(Clone)]
@@ -37,6 +38,8 @@ pub enum TravelError {
     Bodies(#[from] PhysicalRefusal),
 }
 
+/// The distance between the middles of two who stand side by side, metres.
+const APART: f32 = 0.55;
 /// How far from a threshold one looks for free floor to stand on, metres.
 const BEYOND: f32 = 1.5;
 
@@ -109,7 +112,14 @@ impl Environment {
 
     /// The free floor nearest to a point, at most 1.5 m away.
     pub(crate) fn spot_near(&self, agent: NodeId, at: Point2<f32>) -> Option<Point2<f32>> {
-        let near = self.free_near(agent, &at).map(Point2::from);
+        let others: Vec<Point2<f32>> = self
+            .agents()
+            .iter()
+            .filter(|other| **other != agent)
+            .filter_map(|other| Some(self.world.pose(*other)?.translation.vector.xy().into()))
+            .collect();
+        let is_apart = |spot: &Point2<f32>| others.iter().all(|other| (spot - other).norm() > APART);
+        let near = self.free_near_where(agent, &at, is_apart).map(Point2::from);
         near.filter(|spot| (spot - at).norm() <= BEYOND)
     }
 
@@ -117,6 +127,12 @@ impl Environment {
     pub(crate) fn room_to_enter(&self) -> Option<(NodeId, Point2<f32>)> {
         let mut rooms = self.graph.rooms().iter().filter_map(|room| make::middle(&self.graph, &self.floor, *room));
         rooms.next()
+    }
+
+    /// Lets time pass while an agent is doing something, at most a span; returns the actions that have ended.
+    pub(crate) fn step_while_acting(&mut self, agent: NodeId, most: Span) -> Vec<Ending> {
+        self.advance_while(self.tick() + most, |home| home.current_action(agent).is_some());
+        self.take_endings()
     }
 
     /// Puts feet somewhere on the way between two regions.
@@ -131,7 +147,8 @@ impl Environment {
 
     /// Opens or shuts the leaf of a door that somebody passes.
     pub(crate) fn set_leaf(&mut self, leaf: NodeId, open: bool) -> Result<(), PhysicalRefusal> {
-        self.world.put_open(leaf, None, if open { 1.0 } else { 0.0 })?;
+        let moved = self.world.put_open(leaf, None, if open { 1.0 } else { 0.0 });
+        moved.map_err(|why| PhysicalRefusal::from(why).in_scene(&self.graph))?;
         self.clock.about_to_change(&self.graph);
         self.clock.changed.push(leaf);
         (self.clock.stirred, self.clock.unseen) = (true, true);

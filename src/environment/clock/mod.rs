@@ -155,7 +155,7 @@ impl Environment {
     }
 
     /// The endings since the last call, by their ticks, then by their agents.
-    fn take_endings(&mut self) -> Vec<Ending> {
+    pub(super) fn take_endings(&mut self) -> Vec<Ending> {
         let mut endings = std::mem::take(&mut self.clock.endings);
         endings.sort_by_key(|ending| (ending.tick, ending.agent));
         endings
@@ -205,7 +205,7 @@ impl Environment {
     }
 
     /// Lets time pass while something is the case, at most until a tick.
-    fn advance_while(&mut self, end: Tick, holds: impl Fn(&Self) -> bool) {
+    pub(super) fn advance_while(&mut self, end: Tick, holds: impl Fn(&Self) -> bool) {
         let end = end.min(self.last_tick());
         while holds(self) && self.tick() < end {
             let next = self.next_live().unwrap_or(end).max(self.tick());

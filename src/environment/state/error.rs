@@ -13,7 +13,7 @@ use crate::environment::error::in_a_row;
 pub enum StateError {
     /// Agents act or are under control.
     #[error(
-        "{} at it still, and a state is of an environment at rest: let actions end by `step_until_idle`, or `interrupt` them",
+        "{} at it still, and a state is of an environment at rest: `interrupt` ends actions and control, `step_until_idle` waits for actions",
         busy(.0)
     )]
     Busy(Vec<Label>),
@@ -21,13 +21,18 @@ pub enum StateError {
     #[error("{0} endings of actions have not been read: `step(Span(0))` returns them")]
     Unread(usize),
     /// Bodies move, or are such that records do not know them.
-    #[error("{0}; `step` lets time pass, and `save` keeps an environment in motion")]
+    #[error("{0}; `save` keeps such an environment, and things that move come to rest by `step`")]
     Bodies(#[from] RestError<Label>),
     /// The state is of an environment that began otherwise.
     #[error(
         "the state is of another environment: restore it in the one that it was saved in, or in a clone of that one; `save` writes one for others"
     )]
     OtherStart,
+    /// The scene came by `reset` and is another one than at the start.
+    #[error(
+        "the scene has another name, other classes or other numbers than at the start: make an environment of it, and search in that"
+    )]
+    OtherScene,
     /// The scene of the state does not follow from the start.
     #[error("the scene: {0}")]
     Scene(#[from] ChangeMismatch),

@@ -113,6 +113,9 @@ impl Environment {
         if let Some(state) = self.unchanged_state() {
             return Ok(state);
         }
+        if !self.busy().is_empty() {
+            return Err(StateError::Busy(self.busy()));
+        }
         let mut next = self.clone();
         let state = next.rest_as_saved()?;
         *self = next;
@@ -131,9 +134,14 @@ impl Environment {
         }
         let (relations, floor) = read(&self.start, &mut self.world, self.clock.as_read(&self.graph))?;
         (self.relations, self.floor) = (relations.into(), floor.into());
+        let scene = SceneDifference::between(&self.start.graph, &self.graph);
+        let again = scene.applied_to(&self.start.graph)?;
+        if again != self.graph || again.next_number() != self.graph.next_number() {
+            return Err(StateError::OtherScene);
+        }
         Ok(EnvironmentState(Arc::new(Saved {
             start: self.start.clone(),
-            scene: SceneDifference::between(&self.start.graph, &self.graph),
+            scene,
             record,
             past: self.past.save(),
             clock: self.clock.without_journal(),
@@ -152,13 +160,13 @@ impl Environment {
     ///
     /// The bodies sleep in the state until somebody asks for them: a [`step`](Self::step), an action that the rule
     /// allows, [`world`](Self::world), [`relations`](Self::relations), [`floor`](Self::floor), a
-    /// [`digest`](Self::digest). Until then the environment takes some ten kilobytes, and observations, goals and legal
+    /// [`digest`](Self::digest). Until then the environment takes some tens of kilobytes, and observations, goals and legal
     /// actions cost what they cost everywhere.
     ///
     /// Costs some hundred microseconds, and the waking of bodies some milliseconds.
     ///
     /// # Errors
-    /// [`StateError::OtherStart`].
+    /// [`StateError::OtherStart`], [`StateError::Scene`].
     ///
     /// ```
     /// use virtualcity::{Environment, StateError};
@@ -200,7 +208,8 @@ impl Environment {
 
     /// The state that this environment was restored from, if nothing has happened since.
     fn unchanged_state(&self) -> Option<EnvironmentState> {
-        let state = self.world.asleep().filter(|_| self.busy().is_empty() && self.unread_endings() == 0)?;
+        let calm = self.busy().is_empty() && self.unread_endings() == 0 && self.clock.controls.is_empty();
+        let state = self.world.asleep().filter(|_| calm)?;
         #[cfg(feature = "render")]
         let state = Some(state).filter(|state| Arc::ptr_eq(&state.0.cameras, &self.cameras))?;
         Some(state.clone())

@@ -65,6 +65,13 @@ impl<T> Waking<T> {
     }
 }
 
+impl<T: Part> Waking<T> {
+    /// Something else of the environment is about to differ from its state, which stands for it no longer.
+    pub(in crate::environment) fn differ(&mut self) {
+        let _: &mut T = self;
+    }
+}
+
 impl<T> From<T> for Waking<T> {
     fn from(awake: T) -> Self {
         Self::Awake(Box::new(awake))

@@ -67,7 +67,7 @@ impl SceneGraph {
             NodeKind::Object => {}
         }
         // Nodes of other regions have other numbers.
-        if self.numbers.has(id) {
+        if self.numbers.has(id) && !NumberBlock::TRAVELLERS.has(id) {
             self.next = self.next.max(id.0.saturating_add(1));
         }
         self.nodes.insert(id, node);
