@@ -48,7 +48,9 @@ impl City {
         if region.is_some() || self.is_crossing(agent) {
             return self.set_out(agent, region, Some(action));
         }
-        self.break_off(agent);
+        if self.journeys.contains_key(&agent) {
+            self.break_off(agent);
+        }
         if let Some(environment) = self.environment_mut(agent) {
             environment.give(agent, action);
         }
@@ -131,13 +133,13 @@ impl City {
         }
         let in_transit = !self.journeys.is_empty() || self.lifts.values().any(|lift| !lift.is_idle());
         let alone = whom.filter(|_| !in_transit && self.busy().count() <= 1);
-        let to = if in_transit || (whom.is_some() && alone.is_none()) { Tick(now.0 + 1) } else { end };
+        let next = Tick(now.0 + 1);
+        let mut to = if in_transit || (whom.is_some() && alone.is_none()) { next } else { end };
         let mut ended = Vec::new();
         let region = alone.and_then(|(agent, _)| self.region_of(agent));
-        let mut to = to;
         if let Some(((agent, _), environment)) = alone.zip(region.and_then(|region| self.active.get_mut(&region))) {
             ended.extend(environment.step_while_acting(agent, Span(to.0 - now.0)));
-            to = environment.tick();
+            to = environment.tick().max(next);
         }
         for environment in self.active.values_mut() {
             ended.extend(environment.step(Span(to.0 - environment.tick().0)));

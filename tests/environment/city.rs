@@ -8,9 +8,9 @@ use virtualcity::graph::clock::Span;
 use virtualcity::graph::space::{
     Portal, PortalId, PortalKind, PortalSide, Region, RegionFrame, RegionId, RegionKind, Space, SpaceBuilder,
 };
-use virtualcity::graph::{Action, Bounds, Draft, Edge, NodeId, Pose, Relation, SceneBuilder, SceneGraph};
+use virtualcity::graph::{Action, Bounds, Draft, Edge, NodeId, NodeKind, Pose, Relation, SceneBuilder, SceneGraph};
 use virtualcity::nalgebra::{Point3, Vector3};
-use virtualcity::{City, CityError, LiftState, RegionScenes};
+use virtualcity::{City, CityError, Environment, LiftState, RegionScenes};
 
 const STOREYS: u32 = 3;
 const HEIGHT: f64 = 3.0;
@@ -268,4 +268,20 @@ fn a_sleeping_region_is_as_if_it_had_been_watched() {
     city.step(Span(600));
     (0..600).for_each(|_| drop(ticks.step(Span(1))));
     assert_eq!(city.digest(), ticks.digest());
+}
+
+#[test]
+fn a_home_alone_is_as_it_is_elsewhere() {
+    let mut city = City::make("apartment/42", 2).unwrap();
+    let home = city.region_of(city.agents().next().unwrap()).unwrap();
+    let (there, made) = (city.environment(home).unwrap(), Environment::make("apartment/42", 1).unwrap());
+    let things = |graph: &SceneGraph| {
+        let things = graph.nodes().filter(|node| node.kind() != NodeKind::Agent);
+        things.map(|node| (node.id(), node.pose().copied())).collect::<Vec<_>>()
+    };
+    assert_eq!(things(there.graph()), things(made.graph()));
+    let room = there.graph().of_class("kitchen")[0];
+    let me = city.agents().last().unwrap();
+    city.set_action(me, Action::walk(room)).unwrap();
+    assert_eq!(city.environment(home).unwrap().graph().room_of(me), Some(room));
 }

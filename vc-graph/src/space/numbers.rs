@@ -30,7 +30,7 @@ impl NumberBlock {
 
     /// Whether a number is in the block.
     pub fn has(self, id: NodeId) -> bool {
-        id.0.checked_sub(self.first).is_some_and(|place| place < self.count)
+        self == Self::ALL || id.0.checked_sub(self.first).is_some_and(|place| place < self.count)
     }
 
     /// The number after the last.

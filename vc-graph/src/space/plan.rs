@@ -125,8 +125,8 @@ impl Space {
     /// The region in whose block a node's number is. Costs a binary search.
     pub fn made_in(&self, node: NodeId) -> Option<RegionId> {
         let first = |id: &RegionId| self.regions[id.0 as usize].numbers.first;
-        let place = self.scenes.partition_point(|id| first(id) <= node.0).checked_sub(1)?;
-        Some(self.scenes[place]).filter(|id| self.regions[id.0 as usize].numbers.has(node))
+        let place = self.scenes.partition_point(|id| first(id) <= node.0).saturating_sub(1);
+        self.scenes.get(place).copied().filter(|id| self.regions[id.0 as usize].numbers.has(node))
     }
 }
 
