@@ -229,6 +229,12 @@ impl Environment {
 
     fn begin_leaf(&mut self, agent: NodeId, drive: Drive) -> Going {
         let now = self.tick();
+        let moved = self.leaves(agent).find(|leaf| leaf.id == drive.id && leaf.ends_at(drive.open)).cloned();
+        if let Some(leaf) = moved {
+            // Somebody else has it by the hand already: both move it.
+            self.follow_leaf(agent, leaf);
+            return Ok(());
+        }
         let stands = self.world.posture(agent) == Some(Posture::Standing);
         let mut past: Vec<NodeId> = self.walkers(agent);
         past.extend(stands.then_some(agent));
@@ -239,11 +245,16 @@ impl Environment {
         self.heed_passers(agent, &Leaf::new(&self.world, drive.id, &whole, now))?;
         let Some(ends) = ends else { return self.push(agent, &drive, false) };
         let leaf = Leaf::new(&self.world, drive.id, &ends, self.after_walkers(agent, drive.id, drive.open));
+        self.follow_leaf(agent, leaf);
+        Ok(())
+    }
+
+    fn follow_leaf(&mut self, agent: NodeId, leaf: Leaf) {
+        let now = self.tick();
         if let Some(schedule) = self.clock.running.get_mut(&agent) {
             (schedule.until, schedule.phase, schedule.begin) = (leaf.end(), Phase::Leaf, now);
             schedule.track = Track::Leaf(leaf);
         }
-        Ok(())
     }
 
     /// Motors move what something is in the way of, until they have arrived or given up: doors open before what is
@@ -434,7 +445,9 @@ impl Environment {
     pub(super) fn stop(&mut self, agent: NodeId, error: ActionError) {
         let Some(schedule) = self.clock.running.remove(&agent) else { return };
         self.stay(agent, &schedule.track);
-        if let (Phase::Pushes(..), Some(BodyMotion::Drive(drive))) = (schedule.phase, &schedule.motion) {
+        if let Some(drive) = schedule.pushing()
+            && !self.others(agent).any(|(_, other)| other.pushing().is_some_and(|theirs| theirs.id == drive.id))
+        {
             let parts = self.world.parts(drive.id).all();
             // Its motors stop where they are.
             (0..).zip(parts).for_each(|(part, now)| drop(self.world.put_open(drive.id, Some(part), now.open)));
@@ -463,6 +476,8 @@ impl Environment {
                 way.aside.iter().for_each(|step| self.step_to(step.agent, step.feet(now)));
                 self.leave_doors(agent, way);
             }
+            // One that somebody else moves goes on.
+            Track::Leaf(leaf) if self.leaves(agent).any(|other| other.id == leaf.id) => {}
             Track::Leaf(leaf) => {
                 // The part is there, and nothing is in its way.
                 leaf.open(now)

@@ -9,7 +9,7 @@ use vc_graph::{Action, ChangeSet, Effect, NodeId, Pose, SceneGraph, Vocabulary, 
 use super::show::Settling;
 use super::track::{REACHING, Track};
 use crate::environment::execute::Task;
-use crate::environment::motion::BodyMotion;
+use crate::environment::motion::{BodyMotion, Drive};
 
 /// Time in which a body sits down, lies down or gets up.
 pub(super) const SETTLING: Span = Span(60);
@@ -109,6 +109,14 @@ impl Schedule {
             chases,
             waits,
             balanced,
+        }
+    }
+
+    /// The thing whose motors push.
+    pub(super) fn pushing(&self) -> Option<&Drive> {
+        match &self.motion {
+            Some(BodyMotion::Drive(drive)) if matches!(self.phase, Phase::Pushes(..)) => Some(drive),
+            _ => None,
         }
     }
 

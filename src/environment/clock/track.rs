@@ -260,6 +260,11 @@ impl Leaf {
         self.parts.iter().map(|p| p.to).fold(0.0, f32::max)
     }
 
+    /// Whether it moves its parts to the same openness, 0 to 1, as far as there is room for them.
+    pub(super) fn ends_at(&self, open: f32) -> bool {
+        (self.openness() > 0.0) == (open > 0.0)
+    }
+
     /// How open each part is in a tick.
     pub(super) fn open(&self, at: Tick) -> Vec<(usize, f32)> {
         let open = |p: &LeafPart| {

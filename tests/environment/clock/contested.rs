@@ -288,3 +288,52 @@ fn contested_cases_end_as_they_did() {
         &format!("# case: agent tick after the begin outcome, ...\n{table}"),
     );
 }
+
+/// How open the parts of a thing are.
+fn parts(home: &Environment, thing: NodeId) -> Vec<f32> {
+    home.world().parts(thing).all().iter().map(|part| part.open).collect()
+}
+
+/// Two who open one cupboard open its doors and drawers as far as one of them does, whenever the second one comes, and whether it is
+/// told to stop meanwhile.
+#[test]
+fn doors_and_drawers_that_two_open_end_as_open_as_by_one() {
+    let mut tried = 0;
+    for seed in [42, 8, 9] {
+        let home = home(seed, 2);
+        let agents = [home.agents()[0], home.agents()[1]];
+        let closed = |id: &NodeId| home.graph().node(*id).is_some_and(|n| n.is(State::Closed));
+        let cupboards = home.graph().nodes().map(|n| n.id()).filter(|id| closed(id) && parts(&home, *id).len() > 1);
+        for cupboard in cupboards.take(4).collect::<Vec<NodeId>>() {
+            let mut near = home.clone();
+            if agents.into_iter().any(|agent| does(&mut near, agent, Action::walk(cupboard)).is_none()) {
+                continue;
+            }
+            // Each opens it as far as there is room beside the body.
+            let alone = |agent: NodeId| {
+                let mut home = near.clone();
+                does(&mut home, agent, Action::open(cupboard))?;
+                Some(parts(&home, cupboard))
+            };
+            let (Some(one), Some(other)) = (alone(agents[0]), alone(agents[1])) else { continue };
+            for delay in (0..150).step_by(11) {
+                for stops in [false, true] {
+                    let mut both = near.clone();
+                    both.give(agents[0], Action::open(cupboard));
+                    both.step(Span(delay));
+                    both.give(agents[1], Action::open(cupboard));
+                    if stops {
+                        both.step(Span(40));
+                        both.interrupt(agents[1]);
+                    }
+                    both.step_until_idle(LONG);
+                    let both = parts(&both, cupboard);
+                    let wide = (0..both.len()).all(|part| both[part] > one[part].min(other[part]) - 0.01);
+                    assert!(wide, "{seed}, {cupboard}, {delay}, {stops}: {both:?} instead of {one:?} or {other:?}");
+                    tried += 1;
+                }
+            }
+        }
+    }
+    assert!(tried > 100, "{tried}");
+}
