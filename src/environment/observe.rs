@@ -1,7 +1,7 @@
 //! Observation of bodies into the graph: poses and relations, only of things that have moved.
 
 use vc_graph::{Change, ChangeSet, Edge, EditError, NodeId, Place, Pose, Property, Relation, SceneGraph, State};
-use vc_physics::{BodyRole, PhysicsWorld};
+use vc_physics::{BodyRole, Hand, PhysicsWorld, Posture};
 use vc_relations::threshold::FACING_COSINE;
 use vc_relations::{Evidence, NodeEvidence, Relations};
 
@@ -124,6 +124,42 @@ pub(super) fn lay_through(observed: &mut SceneGraph, ruled: &SceneGraph, changed
     let mut edit = observed.edit();
     // The nodes are there and carry one another already, so this cannot fail.
     laid.into_iter().for_each(|(id, places)| drop(edit.place_as_seen(id, &places, None)));
+    edit.commit()
+}
+
+/// Writes what an agent's hands hold, and whether it sits or lies, as bodies have it: an own verb may have said
+/// otherwise. Returns the changes.
+pub(super) fn write_holding_and_posture(graph: &mut SceneGraph, world: &PhysicsWorld, agent: NodeId) -> ChangeSet {
+    let hands = [(Hand::Right, Relation::HoldsRight), (Hand::Left, Relation::HoldsLeft)];
+    let mut edit = graph.edit();
+    for (hand, relation) in hands {
+        let held = world.held(agent, hand);
+        let said: Vec<NodeId> = edit.graph().related(agent, relation).collect();
+        // What has no body is held by the rule alone.
+        let lost = said.into_iter().filter(|id| Some(*id) != held && world.role(*id).is_some());
+        // All of them are there, and hands hold what can be held.
+        lost.collect::<Vec<NodeId>>().into_iter().for_each(|id| drop(edit.detach(id)));
+        let new = held.filter(|id| !edit.graph().has(Edge::new(agent, relation, *id)));
+        new.into_iter().for_each(|id| drop(edit.hold_in(agent, relation, id)));
+    }
+    let (place, state) = match world.posture(agent) {
+        Some(Posture::Sitting(at, _)) => (Some(Place { relation: Relation::SittingOn, at }), State::Sitting),
+        Some(Posture::Lying(at, _)) => (Some(Place { relation: Relation::LyingOn, at }), State::Lying),
+        _ => (None, State::Sitting),
+    };
+    let said_to_rest = edit.graph().node(agent).is_some_and(|n| n.is(State::Sitting) || n.is(State::Lying));
+    let rests: Vec<Place> = edit.graph().places(agent).filter(|place| place.relation != Relation::On).collect();
+    match place {
+        Some(place) if !rests.contains(&place) => {
+            drop(edit.place(agent, place));
+            drop(edit.enter_state(agent, state));
+        }
+        None if said_to_rest && rests.iter().all(|place| place.relation != Relation::Inside) => {
+            drop(edit.detach(agent));
+            [State::Sitting, State::Lying, State::Asleep].into_iter().for_each(|s| drop(edit.leave_state(agent, s)));
+        }
+        _ => {}
+    }
     edit.commit()
 }
 

@@ -1,5 +1,7 @@
 //! Verbs, states and properties of one's own in homes with bodies: they are planned, done, saved and seen as built-in ones.
 
+mod by_chance;
+
 use virtualcity::Environment;
 use virtualcity::graph::asset::Hold;
 use virtualcity::graph::clock::{Durations, Span};

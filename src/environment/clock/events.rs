@@ -457,6 +457,7 @@ impl Environment {
             truth.excused.extend(&broken);
         }
         self.clock.changed.extend(broken);
+        self.heed_bodies(agent, &schedule.action);
         // Others decide by what they see now; what cannot be told is read when all rests.
         drop(self.read_moved());
         // An action whose effects have come true has been done, however its motions end.

@@ -8,7 +8,7 @@ use super::track::Track;
 use crate::environment::compare::{Outcome, unsteady};
 use crate::environment::execute::off_aim;
 use crate::environment::motion::BodyMotion;
-use crate::environment::observe::{self, faced_by, holder, keep_facing, lay_through};
+use crate::environment::observe::{self, faced_by, holder, keep_facing, lay_through, moved_by_rule};
 use crate::environment::{ActionError, Attempt, Disagreement, Environment, PhysicalRefusal, astray};
 
 impl Environment {
@@ -112,8 +112,28 @@ impl Environment {
         }
     }
 
+    /// Writes what bodies hold and how they sit where an action may have said otherwise: one by an own verb, of whose
+    /// effects bodies may have done the first only, or one before which they got up.
+    pub(super) fn heed_bodies(&mut self, agent: NodeId, action: &Action) {
+        let sits = |effect: &Effect<NodeId>| matches!(effect, Effect::SitOn(_) | Effect::LieOn(_));
+        let doubtful = |words| !action.verb.is_builtin() || rule::effects(words, action).iter().any(sits);
+        if self.start.time.bodies && doubtful(self.graph.vocabulary()) {
+            let before = self.graph.clone();
+            let changes = observe::write_holding_and_posture(&mut self.graph, &self.world, agent);
+            if changes.is_empty() {
+                return;
+            }
+            self.clock.about_to_change(&before);
+            self.clock.changed.extend(changes.changes().iter().filter_map(moved_by_rule));
+            self.clock.note(changes);
+        }
+    }
+
     /// Whether an action is over; if not, something is being put back.
     fn outcome(&mut self, agent: NodeId) -> Result<bool, ActionError> {
+        if let Some(action) = self.clock.running.get(&agent).map(|schedule| schedule.action) {
+            self.heed_bodies(agent, &action);
+        }
         if let Some(id) = self.read_moved().map_err(|why| self.cannot(agent, why))? {
             let error = self.cannot(agent, PhysicalRefusal::FallsOut(self.graph.label(id)));
             return if self.puts_back(agent, &[id]) { Ok(false) } else { Err(error) };

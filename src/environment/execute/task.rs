@@ -80,6 +80,10 @@ impl Planner<'_> {
     fn come_near(&mut self, action: &Action) -> Planning {
         // Actions that require nearness are done by hand.
         let Some(rule) = self.before.vocabulary().rule(action.verb) else { return Ok(Plan::default()) };
+        if rule.effects.iter().any(is_in_vehicles) {
+            // Before anything else of it is done.
+            return Err(IN_VEHICLES);
+        }
         let by_hand = rule.preconditions.iter().any(|need| matches!(need, Condition::Near(_)));
         // Where to stand then, is found later.
         let later = rule.effects.iter().any(leads);
@@ -130,13 +134,18 @@ impl Planner<'_> {
             Effect::PourInto(id, into) => self.pour(id, into),
             Effect::FillWithWater(id) => Ok(Plan::of([gesture(self.action)].into_iter().chain(self.level(id, FULL)))),
             Effect::PutOnBody(id) => Ok(BodyMotion::Dress(id).into()),
-            Effect::Board(_) | Effect::Alight | Effect::DriveTo(..) => Err(PhysicalRefusal::NotModelled(
-                "nobody gets into vehicles here yet: `World::add_vehicle` drives them",
-            )),
+            Effect::Board(_) | Effect::Alight | Effect::DriveTo(..) => Err(IN_VEHICLES),
             // States such as dirt, heat and sleep have no body.
             _ => Ok(Plan::default()),
         }
     }
+}
+
+const IN_VEHICLES: PhysicalRefusal =
+    PhysicalRefusal::NotModelled("nobody gets into vehicles here yet: `World::add_vehicle` drives them");
+
+fn is_in_vehicles(effect: &Effect<Argument>) -> bool {
+    matches!(effect, Effect::Board(_) | Effect::Alight | Effect::DriveTo(..))
 }
 
 /// Whether an effect itself leads the agent to where it happens: to a seat, to a spot with room for a thing, before a

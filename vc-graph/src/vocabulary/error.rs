@@ -1,6 +1,7 @@
 //! Errors in the text of a vocabulary.
 
 use super::{NameProblem, UnknownWord};
+use crate::State;
 use crate::goal::GoalError;
 
 /// An error in the text of a [`Vocabulary`](super::Vocabulary), with its line.
@@ -116,6 +117,11 @@ pub enum VocabularyProblem {
         /// The number of things that they are for.
         needed: usize,
     },
+    /// A state of bodies is entered or left without them.
+    #[error(
+        "bodies tell what is {0}: write `sit_on`, `lie_on`, `stand_up`, `enter x open` or `enter x closed` instead"
+    )]
+    OfBodies(State),
     /// An own word of another vocabulary.
     #[error("`{0}` is not declared in this vocabulary")]
     Undeclared(&'static str),

@@ -21,6 +21,7 @@ pub(crate) use parts::{Part, Used, forms, next, unknown};
 pub use scene::{OwnState, Vocabulary};
 pub use set::Set;
 pub(crate) use set::bits;
+pub(crate) use write::entry;
 
 /// A list of words, each with one written form. Words of closed lists are enums; states, properties and verbs are
 /// numbers, as a scene may have [own ones](Vocabulary). They are ordered as they are declared, own ones after these by

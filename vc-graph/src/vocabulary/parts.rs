@@ -19,7 +19,7 @@ pub(crate) enum Used {
 }
 
 impl Used {
-    pub(super) fn as_str(self) -> &'static str {
+    pub(crate) fn as_str(self) -> &'static str {
         match self {
             Self::Thing(Argument::X) => "x",
             Self::Thing(Argument::Y) => "y",

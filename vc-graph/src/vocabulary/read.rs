@@ -4,7 +4,7 @@ use super::line::{Line, error, lines};
 use super::write::usual;
 use super::{OwnState, Used, Vocabulary, VocabularyError, VocabularyProblem as Problem};
 use crate::goal::{DerivedPredicate, PredicateDefinition, is_predicate};
-use crate::rule::{ActionRule, AimRule, Argument, Condition, Effect, Motion};
+use crate::rule::{self, ActionRule, AimRule, Argument, Condition, Effect, Motion};
 use crate::{NameProblem, Property, State, Verb, Word, clip};
 
 impl Vocabulary {
@@ -36,6 +36,10 @@ impl Vocabulary {
     /// All but `is` may be left out. A verb is followed by the number of its things, 0 to 2: `x` is the first, `y` the second.
     /// Preconditions and effects are those of [`Condition`] and [`Effect`], with their names in lower case: `near x`,
     /// `not_in x hot`, `holding_kind wiper`, `related x on y`, `put_into x y`, `enter_own asleep`.
+    ///
+    /// Bodies do what effects say, so an effect has the needs of the built-in verb with that effect, written or not: `hold x`
+    /// those of `grab`, `sit_on y` those of `sit`, but for what an earlier effect brings about. Sitting, lying, open and
+    /// closed are told by bodies: `sit_on`, `lie_on`, `stand_up` and `enter x open` bring them about, nothing else does.
     ///
     /// Names are of lower-case letters, digits and single `_`. A name belongs to the process from its declaration on, also
     /// if the text has an error elsewhere; there is room for 192 of a kind.
@@ -169,7 +173,8 @@ fn own_state(state: State, line: &Line) -> Result<OwnState, Problem> {
     let words = |name| line.field(name).split_whitespace();
     let excludes = words("excludes").map(State::parse).collect::<Result<crate::StateSet, _>>()?;
     let needs = Some(line.field("needs")).filter(|text| !text.is_empty()).map(Property::parse).transpose()?;
-    Ok(OwnState { state, excludes: excludes.without(state), needs })
+    let ended = excludes.iter().find(|ended| rule::is_of_bodies(*ended));
+    ended.map_or(Ok(OwnState { state, excludes: excludes.without(state), needs }), |word| Err(Problem::OfBodies(word)))
 }
 
 fn rule(verb: Verb, line: &Line) -> Result<ActionRule, Problem> {
@@ -190,7 +195,13 @@ fn rule(verb: Verb, line: &Line) -> Result<ActionRule, Problem> {
         _ => None,
     });
     let no_such = |thing| Problem::NoSuchThing { verb: verb.to_string(), things: arity, thing };
-    missing.map_or(Ok(rule), |thing| Err(no_such(thing)))
+    if let Some(thing) = missing {
+        return Err(no_such(thing));
+    }
+    match rule.effects.iter().find_map(rule::bodiless) {
+        Some(state) => Err(Problem::OfBodies(state)),
+        None => Ok(rule::with_implied(rule)),
+    }
 }
 
 /// The parts of a rule's preconditions and effects.

@@ -47,11 +47,13 @@ fn verb(rule: &ActionRule) -> String {
 }
 
 fn entries(all: impl Iterator<Item = (&'static str, Vec<Used>)>) -> String {
-    let entry = |(name, parts): (&'static str, Vec<Used>)| {
-        let words: Vec<&str> = std::iter::once(name).chain(parts.into_iter().map(Used::as_str)).collect();
-        words.join(" ")
-    };
-    all.map(entry).collect::<Vec<_>>().join("; ")
+    all.map(|(name, parts)| entry(name, &parts)).collect::<Vec<_>>().join("; ")
+}
+
+/// A condition or effect as text.
+pub(crate) fn entry(name: &str, parts: &[Used]) -> String {
+    let words: Vec<&str> = std::iter::once(name).chain(parts.iter().map(|part| part.as_str())).collect();
+    words.join(" ")
 }
 
 /// The motion of a verb whose text names none.

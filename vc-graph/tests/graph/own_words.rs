@@ -193,7 +193,7 @@ fn text_and_vocabulary_are_one() {
 state waxed | excludes: dirty dusty | needs: polishable
 verb bow 0 | motion: wave | says: Bows: low.
 verb polish 2 | needs: affords x polishable; affords y wiper; holding y; near x | effects: enter x waxed | motion: use_at
-verb stow 2 | needs: not_in y hot; related x on y; fits x y; other x; upright; holding_kind cutter | effects: put_into x y; enter_own sitting; stand_up; leave_own asleep | aims: putting
+verb stow 2 | needs: not_in y hot; related x on y; fits x y; other x; at_rest; holding_kind cutter; encloses y; holding x; accessible y; accepts y; near y | effects: put_into x y; enter_own asleep; stand_up; leave_own asleep | aims: putting
 ";
     assert_eq!(words(text).to_string(), text);
     let reversed: Vec<&str> = text.lines().rev().collect();
@@ -235,6 +235,9 @@ fn errors_say_what_is_wrong() {
         ("verb bend 1 | needs: in x bendd", "unknown state `bendd`"),
         ("verb bend 1 | effects: pose_as x aim", "effects of an aim are not written"),
         ("verb bend 1 | effects: enter x opened; ", "unknown state `opened`"),
+        ("verb bend 1 | effects: leave x closed", "bodies tell what is closed: write `sit_on`"),
+        ("verb doze 0 | effects: enter_own sitting", "bodies tell what is sitting"),
+        ("state ajar | excludes: dirty open", "bodies tell what is open"),
         ("verb bend 1 | aims: putting", "the aims `putting` are for verbs with 2 things"),
         ("verb bend 1 | aims: flying", "unknown set of aims `flying`"),
         ("verb bend 1 | motion: fly", "unknown motion `fly`"),
@@ -294,6 +297,39 @@ fn every_action(graph: &SceneGraph) -> Vec<Action> {
         }
     };
     graph.vocabulary().verbs().flat_map(of).collect()
+}
+
+/// The needs of a verb, as words.
+fn needs(text: &str) -> String {
+    let all = words(text);
+    let line = all.lines().find(|line| line.starts_with("verb")).unwrap();
+    let needs = line.split(" | ").find_map(|field| field.strip_prefix("needs: "));
+    needs.unwrap_or_default().to_owned()
+}
+
+/// An effect has the needs of the built-in verb, but for those that an earlier one brings about.
+#[test]
+fn effects_need_what_the_verb_with_such_an_effect_needs() {
+    let cases = [
+        ("effects: hold x", "graspable x; not_elsewhere_held x; accessible x; free_hand_or_holding x; near x"),
+        (
+            "effects: go_to x; hold x",
+            "reachable x; other x; upright; graspable x; not_elsewhere_held x; accessible x; free_hand_or_holding x",
+        ),
+        ("needs: near x | effects: let_go x; enter x clean", "near x; holding x"),
+        ("effects: enter x folded", "affords x foldable; accessible x; near x"),
+        ("effects: fill_with_water x", "affords x recipient; holding x"),
+        ("effects: enter x dirty; leave x hot", ""),
+    ];
+    for (n, (fields, expected)) in cases.into_iter().enumerate() {
+        assert_eq!(needs(&format!("verb implied_{n} 1 | {fields}")), expected, "{fields}");
+    }
+    assert_eq!(
+        needs("verb implied_swap 2 | effects: put_on y x"),
+        "carries x; fits y x; holding y; accessible x; near x",
+        "things in the other order"
+    );
+    assert_eq!(needs("verb implied_rest 1 | effects: stand_up; lie_on x").split("; ").next(), Some("at_rest"));
 }
 
 proptest! {

@@ -95,7 +95,7 @@ fn a_domain_says_of_each_fact_one_thing() {
     let words = "state merry
                  verb cheer 0 | effects: enter_own merry; leave_own merry
                  verb flap 1 | needs: near x | effects: enter x open; enter x closed
-                 verb unhinge 1 | needs: near x | effects: leave x closed";
+                 verb unhinge 1 | needs: near x | effects: enter x open";
     scene.set_vocabulary(Vocabulary::parse("words.txt", words).unwrap());
     let goal = "Merry(me) & Open(fridge.5)".parse().unwrap();
     let planning = planning(&scene, me, &goal, Keep::Everything).unwrap();
