@@ -236,7 +236,7 @@ fn errors_say_what_is_wrong() {
         ("verb bend 1 | effects: pose_as x aim", "effects of an aim are not written"),
         ("verb bend 1 | effects: enter x opened; ", "unknown state `opened`"),
         ("verb bend 1 | effects: leave x closed", "bodies tell what is closed: write `sit_on`"),
-        ("verb doze 0 | effects: enter_own sitting", "bodies tell what is sitting"),
+        ("verb flump 0 | effects: enter_own sitting", "bodies tell what is sitting"),
         ("state ajar | excludes: dirty open", "bodies tell what is open"),
         ("verb bend 1 | aims: putting", "the aims `putting` are for verbs with 2 things"),
         ("verb bend 1 | aims: flying", "unknown set of aims `flying`"),
