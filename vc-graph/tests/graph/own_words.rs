@@ -237,7 +237,7 @@ fn errors_say_what_is_wrong() {
         ("verb bend 1 | effects: enter x opened; ", "unknown state `opened`"),
         ("verb bend 1 | effects: leave x closed", "bodies tell what is closed: write `sit_on`"),
         ("verb flump 0 | effects: enter_own sitting", "bodies tell what is sitting"),
-        ("state ajar | excludes: dirty open", "bodies tell what is open"),
+        ("state creaky | excludes: dirty open", "bodies tell what is open"),
         ("verb bend 1 | aims: putting", "the aims `putting` are for verbs with 2 things"),
         ("verb bend 1 | aims: flying", "unknown set of aims `flying`"),
         ("verb bend 1 | motion: fly", "unknown motion `fly`"),
