@@ -74,7 +74,7 @@ pub enum Condition<T = NodeId> {
     SameRoom(T),
     /// The agent wears the object.
     Worn(T),
-    /// It can be eaten, or it has food on it.
+    /// It can be eaten, or it has food on or in it that nothing hides.
     Edible(T),
     /// It can be drunk, or it can contain a drink.
     Potable(T),

@@ -51,7 +51,7 @@ fn needs_of(effect: Effect<Argument>) -> impl Iterator<Item = Condition<Argument
     needs.filter_map(move |need| with_roles(*need, roles.as_deref().unwrap_or_default()))
 }
 
-/// Whether two effects ask the same of bodies. A state that bodies do not have needs nothing: who tells how it is entered?
+/// Whether two effects ask the same of bodies. A state that bodies do not have needs nothing of them.
 fn is_alike(model: Effect<Argument>, effect: Effect<Argument>) -> bool {
     match (model, effect) {
         (Effect::Enter(_, model), Effect::Enter(_, state)) => {

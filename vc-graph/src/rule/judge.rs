@@ -197,7 +197,8 @@ impl<'a, W: Reason> Judge<'a, W> {
 
     fn edible(&self, id: NodeId) -> Result<(), W> {
         let eatable = |n: NodeId| self.graph.node(n).is_some_and(|n| n.affords(Property::Eatable));
-        let on_it = eatable(id) || self.graph.resting_at(id).any(eatable);
+        let in_reach = |n: NodeId| eatable(n) && self.graph.hidden_in(n).is_none();
+        let on_it = eatable(id) || self.graph.resting_at(id).any(in_reach);
         self.require(on_it, || Refusal::NotAfforded(self.graph.label(id), "eatable"))
     }
 
