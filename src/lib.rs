@@ -91,6 +91,8 @@ mod environment;
 pub mod files;
 mod json_lines;
 mod page;
+#[cfg(feature = "environment")]
+mod parts;
 #[cfg(all(feature = "environment", feature = "render"))]
 mod record;
 
@@ -99,7 +101,7 @@ pub use batch::Batch;
 #[cfg(feature = "environment")]
 pub use check::{ContractViolation, Tally, check_environment, legal_action, random_action, run};
 #[cfg(feature = "environment")]
-pub use city::{City, CityBuilder, CityEnding, CityError, LiftState, RegionScenes};
+pub use city::{City, CityBuilder, CityEnding, CityError, CitySaveError, LiftState, RegionScenes};
 #[cfg(feature = "environment")]
 pub use environment::{
     ActionError, AlterError, Assets, Attempt, Control, ControlledHand, Difference, Disagreement, Displaced, Ending,

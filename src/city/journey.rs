@@ -3,11 +3,12 @@
 use std::collections::VecDeque;
 
 use nalgebra::{Point2, Point3, UnitQuaternion, Vector3, distance};
+use serde::{Deserialize, Serialize};
 use vc_graph::clock::{Span, TICKS_PER_SECOND, Tick};
 use vc_graph::hash::Digester;
 use vc_graph::portable::Portable;
 use vc_graph::space::{Portal, PortalId, PortalKind, RegionId, Space};
-use vc_graph::{Action, ChangeSet, NodeId, Pose, Verb};
+use vc_graph::{Action, ChangeSet, NodeId, ObjectNames, Pose, Verb};
 use vc_physics::Posture;
 
 use super::time::CityEnding;
@@ -27,7 +28,7 @@ const TRIES: u32 = 60;
 const PATIENCE: Span = Span(60);
 
 /// An agent's way to another region, and what it does there.
-#[derive(Clone)]
+#[derive(Clone, Serialize, Deserialize)]
 pub(super) struct Journey {
     /// The walk that it was given; none if it was sent to a region.
     pub(super) action: Option<Action>,
@@ -36,11 +37,12 @@ pub(super) struct Journey {
     stage: Stage,
     /// How often somebody was in the way of the leg.
     tries: u32,
-    changes: ChangeSet,
+    #[serde(skip)]
+    pub(super) changes: ChangeSet,
 }
 
 /// A part of a way.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 enum Leg {
     /// To a portal, within a region.
     Approach(PortalId),
@@ -50,7 +52,7 @@ enum Leg {
     Act(Action),
 }
 
-#[derive(Clone)]
+#[derive(Clone, Serialize, Deserialize)]
 enum Stage {
     /// The next leg has not begun; it is tried from a tick on.
     Waiting(Tick),
@@ -60,7 +62,7 @@ enum Stage {
 }
 
 /// Somebody on the way through a portal.
-#[derive(Clone)]
+#[derive(Clone, Serialize, Deserialize)]
 struct Crossing {
     portal: PortalId,
     from: RegionId,
@@ -84,6 +86,18 @@ impl Journey {
     pub(super) fn crosses(&self, space: &Space, region: RegionId) -> bool {
         let Stage::Crossing(crossing) = &self.stage else { return false };
         space.portal(crossing.portal).is_some_and(|plan| plan.side(region).is_some())
+    }
+
+    /// Takes up what a saved journey does not have itself: the names by which its action calls things, and its changes.
+    pub(super) fn take_up(&mut self, called: Option<ObjectNames>, changes: ChangeSet) {
+        self.changes = changes;
+        let acts = self.legs.iter_mut().filter_map(|leg| match leg {
+            Leg::Act(action) => Some(action),
+            _ => None,
+        });
+        for action in self.action.iter_mut().chain(acts) {
+            action.called = called.unwrap_or(action.called);
+        }
     }
 
     pub(super) fn feed(&self, agent: NodeId, hash: &mut Digester) {

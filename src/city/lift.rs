@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 
 use nalgebra::Point3;
+use serde::{Deserialize, Serialize};
 use vc_graph::clock::{Span, TICKS_PER_SECOND, Tick};
 use vc_graph::hash::Digester;
 use vc_graph::space::{Region, RegionFrame};
@@ -18,7 +19,7 @@ const SPEED: f64 = 1.0;
 const ACCELERATION: f64 = 0.8;
 
 /// The state of a lift.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub enum LiftState {
     /// It stands at a stop, counted from 0, with shut doors.
@@ -40,7 +41,7 @@ pub enum LiftState {
 
 /// A lift. It moves with shut doors only, which shut only while nobody is between them; it goes on in one direction while
 /// there are calls ahead.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(super) struct Lift {
     /// Where its stops are, metres.
     stops: Vec<Point3<f64>>,

@@ -1,13 +1,14 @@
 //! A city: regions joined by portals, in which agents go from one to another.
 //!
 //! [`source`] is where scenes come from, [`residency`] which regions are there, [`journey`] how agents get from one to
-//! another, [`lift`] how cabins move, [`time`] how all of it goes on.
+//! another, [`lift`] how cabins move, [`time`] how all of it goes on, [`save`] cities as bytes.
 
 mod error;
 mod journey;
 mod lift;
 mod make;
 mod residency;
+mod save;
 mod source;
 mod time;
 
@@ -26,6 +27,7 @@ use journey::Journey;
 use lift::Lift;
 pub use lift::LiftState;
 pub use make::CityBuilder;
+pub use save::CitySaveError;
 pub use source::RegionScenes;
 pub use time::CityEnding;
 

@@ -24,7 +24,7 @@ impl City {
     }
 
     /// The environment of a region as it is before anybody has been there.
-    fn made(&self, region: RegionId) -> Result<Environment, CityError> {
+    pub(super) fn made(&self, region: RegionId) -> Result<Environment, CityError> {
         let plan = self.space().region(region).filter(|plan| plan.has_scene()).ok_or(CityError::NoScene(region))?;
         let scene = self.source.scene(region).map_err(|why| CityError::Scene { region, why: why.into() })?;
         if let Some(node) = scene.nodes().find(|node| !plan.numbers.has(node.id())) {

@@ -8,9 +8,11 @@ use virtualcity::graph::clock::Span;
 use virtualcity::graph::space::{
     Portal, PortalId, PortalKind, PortalSide, Region, RegionFrame, RegionId, RegionKind, Space, SpaceBuilder,
 };
-use virtualcity::graph::{Action, Bounds, Draft, Edge, NodeId, NodeKind, Pose, Relation, SceneBuilder, SceneGraph};
+use virtualcity::graph::{
+    Action, Bounds, Draft, Edge, NodeId, NodeKind, Pose, Relation, SceneBuilder, SceneGraph, State,
+};
 use virtualcity::nalgebra::{Point3, Vector3};
-use virtualcity::{City, CityError, Environment, LiftState, RegionScenes};
+use virtualcity::{City, CityError, CitySaveError, Environment, LiftState, RegionScenes};
 
 const STOREYS: u32 = 3;
 const HEIGHT: f64 = 3.0;
@@ -284,4 +286,85 @@ fn a_home_alone_is_as_it_is_elsewhere() {
     let me = city.agents().last().unwrap();
     city.set_action(me, Action::walk(room)).unwrap();
     assert_eq!(city.environment(home).unwrap().graph().room_of(me), Some(room));
+}
+
+/// In the middle of walks, on stairs, before and in the lift, with things in hand: a restored city goes on as the saved
+/// one does.
+#[test]
+fn a_saved_city_goes_on_as_it_would_have() {
+    let start = city(2);
+    let agents: Vec<NodeId> = start.agents().collect();
+    let mut city = start.clone();
+    let cup = take_cup(&mut city, agents[0]);
+    city.send(agents[0], landing(2)).unwrap();
+    let table = of_class(&city, YARD, "table");
+    city.go(agents[1], landing(1)).unwrap();
+    city.give(agents[1], Action::walk(table)).unwrap();
+    let (mut tried, mut stages) = (0, std::collections::BTreeSet::new());
+    while city.agents().any(|agent| city.current_action(agent).is_some()) || city.region_of(cup) != Some(landing(2)) {
+        city.step(Span(97));
+        let saved = city.save().unwrap();
+        stages.insert((
+            city.region_of(agents[0]),
+            city.region_of(agents[1]),
+            city.lift(CABIN).map(|l| format!("{l:?}")),
+        ));
+        let mut restored = start.restore(&saved).unwrap();
+        assert_eq!(restored.digest(), city.digest());
+        assert_eq!(restored.save().unwrap(), saved);
+        let mut goes_on = city.clone();
+        let ended = |city: &mut City| {
+            let endings = city.step(Span(600)).into_iter();
+            endings.map(|e| (e.tick, e.agent, e.outcome.map_err(|why| why.to_string()))).collect::<Vec<_>>()
+        };
+        assert_eq!(ended(&mut restored), ended(&mut goes_on));
+        assert_eq!(restored.digest(), goes_on.digest(), "{:?}", city.tick());
+        tried += 1;
+        assert!(tried < 100);
+    }
+    assert!(tried > 10 && stages.len() > 5, "{tried} {stages:?}");
+}
+
+#[test]
+fn what_is_no_saved_city_is_refused() {
+    let mut start = city(1);
+    let me = start.agents().next().unwrap();
+    take_cup(&mut start, me);
+    let saved = start.save().unwrap();
+    assert!(matches!(start.restore(b"nothing"), Err(CitySaveError::NotSaved)));
+    assert!(start.restore(&saved[..saved.len() - 1]).is_err());
+    for at in (0..saved.len()).step_by(saved.len() / 50) {
+        let mut other = saved.clone();
+        other[at] ^= 1;
+        assert!(start.restore(&other).is_err(), "byte {at}");
+    }
+    let elsewhere = City::make("apartment/42", 1).unwrap();
+    assert!(matches!(elsewhere.restore(&saved), Err(CitySaveError::OtherPlan)));
+    // The same plan with another scene in a region.
+    let changed = City::of(Changed(house())).make().unwrap();
+    let error = changed.restore(&saved).unwrap_err();
+    assert!(matches!(error, CitySaveError::OtherRegion(YARD)), "{error}");
+    start.send(me, landing(0)).unwrap();
+    start.send(me, landing(1)).unwrap();
+    assert!(matches!(start.save(), Err(CitySaveError::Unread(1))));
+}
+
+/// The house with something more in its yard.
+struct Changed(House);
+
+impl RegionScenes for Changed {
+    fn space(&self) -> &Arc<Space> {
+        self.0.space()
+    }
+
+    fn scene(&self, region: RegionId) -> Result<SceneGraph, Box<dyn Error + Send + Sync>> {
+        let mut scene = self.0.scene(region)?;
+        if region == YARD {
+            let cup = scene.of_class("cup")[0];
+            let mut edit = scene.edit();
+            edit.enter_state(cup, State::Dirty)?;
+            edit.commit();
+        }
+        Ok(scene)
+    }
 }

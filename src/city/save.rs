@@ -1,0 +1,197 @@
+//! Cities as bytes.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use serde::{Deserialize, Serialize};
+use vc_graph::clock::Tick;
+use vc_graph::format::native;
+use vc_graph::space::RegionId;
+use vc_graph::{NodeId, ObjectNames};
+
+use super::journey::Journey;
+use super::lift::Lift;
+use super::{City, CityError};
+use crate::Environment;
+use crate::environment::SaveError;
+use crate::parts::{self, Magic, PartsFault};
+
+/// The bytes with which saved cities begin.
+const MAGIC: &Magic = b"VCCITY1\n";
+
+/// All of a city but its regions.
+#[derive(Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct SavedCity {
+    /// The digest of the plan.
+    plan: u64,
+    tick: Tick,
+    agents: Vec<NodeId>,
+    whereabouts: BTreeMap<NodeId, RegionId>,
+    journeys: BTreeMap<NodeId, Journey>,
+    /// The changes of each journey so far, as text: it takes classes to read them.
+    changes: BTreeMap<NodeId, String>,
+    /// The names by which the actions of journeys call their things.
+    called: BTreeMap<NodeId, ObjectNames>,
+    lifts: BTreeMap<RegionId, Lift>,
+    /// The regions in the order of the parts that follow, and whether they are there.
+    regions: Vec<(RegionId, bool)>,
+}
+
+/// Why a city cannot be saved or restored.
+#[derive(Debug, Clone, thiserror::Error)]
+#[non_exhaustive]
+pub enum CitySaveError {
+    /// Endings of actions would be lost.
+    #[error("{0} endings of actions would be lost: let `step` return them first, by `step(Span(0))`")]
+    Unread(usize),
+    /// The bytes are no saved city.
+    #[error("these bytes are no saved city, or of another version")]
+    NotSaved,
+    /// The bytes have changed since they were saved, or some are missing.
+    #[error("the saved city is damaged")]
+    Damaged,
+    /// The city was made of another plan.
+    #[error("the city was saved with another plan of regions: make this one of the same name or source")]
+    OtherPlan,
+    /// The scene of a region is another one than when the city was saved.
+    #[error("{0} is made otherwise than when the city was saved: its generator or the settings have changed")]
+    OtherRegion(RegionId),
+    /// A region cannot be saved or restored.
+    #[error("{region}: {why}")]
+    Region {
+        /// The region.
+        region: RegionId,
+        /// The reason.
+        #[source]
+        why: Arc<SaveError>,
+    },
+    /// A region cannot be made.
+    #[error(transparent)]
+    City(#[from] Box<CityError>),
+    /// The text of a part cannot be read.
+    #[error("the saved city cannot be read: {0}")]
+    Text(Arc<serde_json::Error>),
+}
+
+impl From<serde_json::Error> for CitySaveError {
+    fn from(why: serde_json::Error) -> Self {
+        Self::Text(Arc::new(why))
+    }
+}
+
+impl From<PartsFault> for CitySaveError {
+    fn from(why: PartsFault) -> Self {
+        if why == PartsFault::Foreign { Self::NotSaved } else { Self::Damaged }
+    }
+}
+
+impl City {
+    /// The city as bytes, for [`restore`](Self::restore), at any time, also in the middle of journeys: each region that
+    /// differs from how it is made (as [`Environment::save`]), who is where, ways and lifts. Regions that are as they are made
+    /// and have nobody in them take nothing. [`set_ways`](Self::set_ways) is not in it.
+    ///
+    /// ```
+    /// use virtualcity::City;
+    /// use virtualcity::graph::clock::Span;
+    /// use virtualcity::graph::space::RegionId;
+    /// let mut city = City::make("building/7", 1)?;
+    /// let me = city.agents().next().ok_or("somebody")?;
+    /// let yard = city.space().regions().find(|(_, region)| &*region.name == "yard").ok_or("a yard")?.0;
+    /// city.send(me, yard)?;
+    /// city.step(Span::from_seconds(5.0));
+    /// // On the way.
+    /// let mut other = City::make("building/7", 1)?.restore(&city.save()?)?;
+    /// let minutes = Span::from_seconds(120.0);
+    /// assert_eq!(city.step(minutes).len(), other.step(minutes).len());
+    /// assert_eq!(city.digest(), other.digest());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`CitySaveError::Unread`] if endings wait for the next [`step`](Self::step), [`CitySaveError::Region`].
+    pub fn save(&self) -> Result<Vec<u8>, CitySaveError> {
+        if !self.endings.is_empty() {
+            return Err(CitySaveError::Unread(self.endings.len()));
+        }
+        let active = self.active.iter().map(|(region, environment)| (*region, environment, true));
+        let asleep = self.asleep.iter().map(|(region, environment)| (*region, environment, false));
+        let all: Vec<(RegionId, &Environment, bool)> = active.chain(asleep).collect();
+        let save = |(region, environment, _): &(RegionId, &Environment, bool)| {
+            environment.save().map_err(|why| CitySaveError::Region { region: *region, why: Arc::new(why) })
+        };
+        let regions = all.iter().map(save).collect::<Result<Vec<_>, _>>()?;
+        let changes =
+            self.journeys.iter().map(|(agent, journey)| Ok((*agent, serde_json::to_string(&journey.changes)?)));
+        let called = self.journeys.iter().filter_map(|(agent, journey)| Some((*agent, journey.action?.called)));
+        let saved = SavedCity {
+            plan: self.space().digest().0,
+            tick: self.tick,
+            agents: self.agents.clone(),
+            whereabouts: self.whereabouts.clone(),
+            changes: changes.collect::<Result<_, serde_json::Error>>()?,
+            called: called.collect(),
+            journeys: self.journeys.clone(),
+            lifts: self.lifts.clone(),
+            regions: all.iter().map(|(region, _, is_active)| (*region, *is_active)).collect(),
+        };
+        let head = serde_json::to_vec(&saved)?;
+        let parts: Vec<&[u8]> = std::iter::once(&head).chain(&regions).map(Vec::as_slice).collect();
+        Ok(parts::joined(MAGIC, &parts))
+    }
+
+    /// Restores a saved city, which then goes on as the saved one does, bit for bit. `self` has to have been made of the
+    /// same plan with the same settings, and is not changed; [ways](Self::set_ways) are those of `self`. Makes the regions
+    /// that were saved anew, some milliseconds each, and holds their scenes against those of the saved city.
+    ///
+    /// # Errors
+    /// [`CitySaveError`]; [`CitySaveError::OtherRegion`] names a region whose generator has changed.
+    pub fn restore(&self, bytes: &[u8]) -> Result<Self, CitySaveError> {
+        let parts = parts::split(MAGIC, bytes)?;
+        let (head, regions) = parts.split_first().ok_or(CitySaveError::NotSaved)?;
+        let mut saved: SavedCity = serde_json::from_slice(head)?;
+        if saved.plan != self.space().digest().0 {
+            return Err(CitySaveError::OtherPlan);
+        }
+        if saved.regions.len() != regions.len() {
+            return Err(CitySaveError::NotSaved);
+        }
+        let (mut active, mut asleep) = (BTreeMap::new(), BTreeMap::new());
+        for ((region, is_active), bytes) in saved.regions.iter().zip(regions) {
+            let restored = self.restored_region(*region, bytes)?;
+            if *is_active {
+                active.insert(*region, restored)
+            } else {
+                asleep.insert(*region, restored)
+            };
+        }
+        for (agent, journey) in &mut saved.journeys {
+            // Somebody under way is somewhere.
+            let at = saved.whereabouts.get(agent).and_then(|region| Some((*region, active.get(region)?)));
+            let (region, environment): (RegionId, &Environment) = at.ok_or(CitySaveError::NotSaved)?;
+            let changes = saved.changes.get(agent).map_or("[]", String::as_str);
+            let changes = native::read_changes(changes, environment.graph().classes())
+                .map_err(|why| CitySaveError::Region { region, why: Arc::new(why.into()) })?;
+            journey.take_up(saved.called.get(agent).copied(), changes);
+        }
+        Ok(Self {
+            tick: saved.tick,
+            active,
+            asleep,
+            whereabouts: saved.whereabouts,
+            agents: saved.agents,
+            journeys: saved.journeys,
+            lifts: saved.lifts,
+            endings: Vec::new(),
+            ..self.clone()
+        })
+    }
+
+    fn restored_region(&self, region: RegionId, bytes: &[u8]) -> Result<Environment, CitySaveError> {
+        let made = self.made(region).map_err(Box::new)?;
+        made.restore(bytes).map_err(|why| match why {
+            SaveError::OtherStart { .. } => CitySaveError::OtherRegion(region),
+            why => CitySaveError::Region { region, why: Arc::new(why) },
+        })
+    }
+}
