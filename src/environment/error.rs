@@ -398,8 +398,24 @@ pub enum SaveError {
     /// More follows after a saved environment.
     #[error("{0} bytes follow after the saved environment: give the bytes of `save` alone")]
     More(usize),
+    /// They were saved by an environment with another setting that changes what follows. See
+    /// [`EnvironmentBuilder`](crate::EnvironmentBuilder).
+    #[error(
+        "the environment was saved with `{setting}` {found}, this one has {expected}: make it with the same settings"
+    )]
+    OtherSetting {
+        /// The name of the setting, as the builder's method has it, or `physics.` and a field of its settings.
+        setting: String,
+        /// Its value in this environment.
+        expected: String,
+        /// Its value in the saved one.
+        found: String,
+    },
     /// They were saved by an environment that began otherwise.
-    #[error("the environment was saved from another start: {found} instead of {expected}")]
+    #[error(
+        "the environment was saved from another start, {found} instead of {expected}: restore it in one that was made \
+         of the same scene with as many agents"
+    )]
     OtherStart {
         /// Digest of this environment's start.
         expected: vc_graph::Digest,
@@ -412,6 +428,9 @@ pub enum SaveError {
     /// Endings of actions have not been asked for, and would be lost.
     #[error("{0} endings of actions have not been read: `step(Span(0))` returns them")]
     Unread(usize),
+    /// The settings cannot be written or read.
+    #[error("the settings: {0}")]
+    Settings(#[source] serde_json::Error),
     /// The clock cannot be written or read.
     #[error("the clock: {0}")]
     Clock(#[source] serde_json::Error),
@@ -443,17 +462,40 @@ impl From<Disagreement> for ActionError {
 }
 
 impl PhysicalRefusal {
-    /// Whether another body or a piece of the home is in the way, rather than the deed
-    /// being beyond bodies.
+    /// Whether another body or a piece of the home is in the way, rather than the deed being beyond bodies: the same
+    /// action may be possible once something has been moved. It is not where there is no floor or surface at all, where a
+    /// thing would fall or tip, and where a body is too weak or its reach too short.
+    ///
+    /// ```
+    /// use virtualcity::{ActionError, Environment};
+    /// let mut home = Environment::make("apartment/42", 1)?;
+    /// let me = home.agents()[0];
+    /// let table = home.graph().of_class("coffee_table")[0];
+    /// let middle = home.graph().node(table).and_then(|node| node.aabb()).ok_or("no box")?.centre();
+    /// // In the table, and outside the home.
+    /// for (x, y, in_the_way) in [(middle.x, middle.y, true), (900.0, 900.0, false)] {
+    ///     match home.set_action(me, format!("walk at {x:.2} {y:.2}").parse()?) {
+    ///         Err(ActionError::Impossible { why, .. }) => assert_eq!(why.is_in_the_way(), in_the_way, "{why}"),
+    ///         other => println!("{other:?}"),
+    ///     }
+    /// }
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn is_in_the_way(&self) -> bool {
-        matches!(
-            self,
+        match self {
             Self::NoStand(_)
-                | Self::NoSpot { .. }
-                | Self::ShutsIn { .. }
-                | Self::KeepsOpen { .. }
-                | Self::Stuck { .. }
-                | Self::Unsteady(_)
-        )
+            | Self::NoSpot { .. }
+            | Self::ShutsIn { .. }
+            | Self::KeepsOpen { .. }
+            | Self::NoWay(_)
+            | Self::NoSide { .. }
+            | Self::Stuck { .. }
+            | Self::Unsteady(_) => true,
+            // Without a name there is no floor.
+            Self::PointTaken { by, .. } => !by.is_empty(),
+            Self::NotAsAsked { why, .. } => !matches!(why, SpotRefusal::OffSurface | SpotRefusal::WouldNotRest),
+            Self::Agent(error) => error.is_in_the_way(),
+            _ => false,
+        }
     }
 }
