@@ -116,7 +116,7 @@ fn replay(file: &Path, scene: Option<&SceneGraph>, options: &Options, tally: &mu
     let run = execute(scene.clone(), &program, options.semantics);
     tally.programs += 1;
     tally.executable += usize::from(run.refused.is_none());
-    say!("{}: {}{titled}", file.display(), run.verdict());
+    say!("{}{titled}: {}", file.display(), run.verdict());
     Ok(())
 }
 
