@@ -161,9 +161,9 @@
 //! | | [`clone`](Clone::clone) | [`save_state`](crate::Environment::save_state) | [`save`](crate::Environment::save) |
 //! |---|---|---|---|
 //! | keeps | everything | a home at rest | a home in the middle of actions |
-//! | as | another environment, megabytes once somebody has acted | some kilobytes in memory | bytes for a file, megabytes |
+//! | as | another environment, megabytes once somebody has acted | some kilobytes in memory | bytes for a file, some three megabytes |
 //! | goes on in | itself | the environment and its clones | every environment made alike, in another program, too |
-//! | costs | about a millisecond | some milliseconds | some ten milliseconds |
+//! | costs | about a millisecond | some milliseconds | some tens of milliseconds |
 //!
 //! ```
 //! use virtualcity::graph::Action;

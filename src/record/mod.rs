@@ -31,9 +31,7 @@ const SIX: &str = "Colours, instances, classes; depth, optical flow, boxes and m
 ///
 /// It is a [`World`], so that a policy acts in it as in any other; each action is shown in time
 /// ([`Environment::set_action_in_time`]), and after every sixth of a second pictures are made, in actions that take minutes
-/// a few in all: in
-/// long episodes after every third, and so on, so that a film has no more than 180.
-/// The folder then has
+/// a few in all; in long episodes after every third, and so on, so that a film has no more than 180. The folder then has
 ///
 /// | file | content |
 /// |---|---|
@@ -93,27 +91,31 @@ const SIX: &str = "Colours, instances, classes; depth, optical flow, boxes and m
 /// to 1, `steps` the number of actions that were done or tried, `reason` why it ended, or `null`.
 ///
 /// ```
-/// use virtualcity::planner::Team;
-/// use virtualcity::tasks::Task;
+/// use virtualcity::graph::Action;
+/// use virtualcity::planner::Summary;
+/// use virtualcity::tasks::{Outcome, Task, World};
 /// use virtualcity::{Environment, RecordOptions, Recorder};
 ///
 /// # let folder = std::env::temp_dir().join(format!("vc-trajectory-{}", std::process::id()));
 /// let home = Environment::make("apartment/42", 2)?;
-/// let agents = home.agents().to_vec();
-/// let task = Task::new("a book and a pillow", "Holds(novel) & On(pillow, sofa)".parse()?);
-/// let mut team = Team::oracles(home.graph(), &agents, &task.goal);
+/// let (me, you) = (home.agents()[0], home.agents()[1]);
+/// let walk = Action::walk(home.graph().of_class("fridge")[0]);
+/// let task = Task::new("to the fridge", "Near(fridge)".parse()?);
 /// let options = RecordOptions { width: 64, ..RecordOptions::default() };
-/// let mut recorder = Recorder::create(&folder, home, agents[0], &task, options)?;
-/// let episode = team.run(&task, &mut recorder);
-/// recorder.finish(&episode, None)?;
+/// let mut recorder = Recorder::create(&folder, home, me, &task, options)?;
+/// // A round of both: waving is over before the walk.
+/// let outcomes = recorder.step_together(&[(me, walk), (you, "wave".parse()?)]);
+/// assert!(outcomes.iter().all(Result::is_ok));
+/// recorder.finish(Summary { outcome: Outcome::Won, score: 1.0, steps: 2, reason: None }, None)?;
+///
 /// let text = std::fs::read_to_string(folder.join("trajectory.jsonl"))?;
 /// let lines: Vec<serde_json::Value> = text.lines().map(serde_json::from_str).collect::<Result<_, _>>()?;
-/// assert_eq!(lines[0]["goal"], "Holds(me, novel) & On(pillow, sofa)");
-/// // Both acted in the first round, which ended for both at once.
-/// assert_ne!(lines[1]["agent"], lines[2]["agent"]);
-/// assert_eq!(lines[1]["time"], lines[2]["time"]);
-/// assert_eq!((&lines[1]["step"], &lines[2]["step"]), (&2.into(), &2.into()));
-/// assert_eq!(lines[lines.len() - 1]["outcome"], "won");
+/// assert_eq!((lines.len(), &lines[0]["goal"]), (4, &"Near(me, fridge)".into()));
+/// assert_eq!(lines[2]["action"], "wave");
+/// for field in ["time", "step", "digest"] {
+///     assert_eq!(lines[1][field], lines[2][field]);
+/// }
+/// assert_eq!((&lines[1]["step"], &lines[3]["outcome"]), (&2.into(), &"won".into()));
 /// # std::fs::remove_dir_all(&folder)?;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
