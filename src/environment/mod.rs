@@ -93,7 +93,7 @@ const WAIST: f32 = 0.9;
 ///
 /// | for | there are |
 /// |---|---|
-/// | settings: bodies, gravity, hour, fields of view, classes, relations, durations ... | [`builder`](Self::builder), [`builder_from_scene`](Self::builder_from_scene) ([recipe](crate::guide::homes#settings)) |
+/// | settings: bodies, gravity, hour, fields of view, classes, relations, durations ... | [`builder`](Self::builder), [`builder_from_scene`](Self::builder_from_scene) ([recipe](crate::guide::homes#settings-of-a-home)) |
 /// | the clock: agents that act at the same time, in ticks of 1/60 s | [`give`](Self::give), [`step`](Self::step), [`step_until_idle`](Self::step_until_idle), [`interrupt`](Self::interrupt), [`moment`](Self::moment), [`tick`](Self::tick), [`day_time`](Self::day_time), [`processes`](Self::processes), [`set_actions`](Self::set_actions) ([recipes](crate::guide::clock)) |
 /// | copies: in memory, as states of a search, as bytes | `clone`, [`save_state`](Self::save_state) and [`restore_state`](Self::restore_state), [`save`](Self::save) and [`restore`](Self::restore) ([which for what](crate::guide::clock#saved-in-the-middle-of-actions)) |
 /// | velocity, head and hands in every tick | [`control`](Self::control) ([recipe](crate::guide::acting#control-in-every-tick)) |

@@ -127,7 +127,7 @@
 //!
 //! Machines and matter go on while time passes: [`processes`](crate::Environment::processes) lists what goes on and until
 //! when. Actions that no body's motion times, such as reading, take as long as
-//! [`duration`](crate::Environment::duration) says. The tables of both are settings: see [`homes`](super::homes#settings).
+//! [`duration`](crate::Environment::duration) says. The tables of both are settings: see [`homes`](super::homes#settings-of-a-home).
 //!
 //! ```
 //! use virtualcity::Environment;

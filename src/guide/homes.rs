@@ -1,6 +1,6 @@
 //! Homes: how to make one, with which settings, and how to arrange what is in it.
 //!
-//! # Settings
+//! # Settings of a home
 //!
 //! [`Environment::make`](crate::Environment::make) has a default for everything.
 //! [`Environment::builder`](crate::Environment::builder) takes other settings;

@@ -2,7 +2,7 @@
 //!
 //! | page | recipes |
 //! |---|---|
-//! | [`homes`] | [settings](homes#settings) · [a scene of VirtualHome with bodies](homes#a-scene-of-virtualhome-with-bodies) · [many homes at once](homes#many-homes-at-once) · [placing things and agents](homes#placing-things-and-agents) · [resetting to an edited graph](homes#resetting-to-an-edited-graph) · [words of your own](homes#words-of-your-own) |
+//! | [`homes`] | [settings](homes#settings-of-a-home) · [a scene of VirtualHome with bodies](homes#a-scene-of-virtualhome-with-bodies) · [many homes at once](homes#many-homes-at-once) · [placing things and agents](homes#placing-things-and-agents) · [resetting to an edited graph](homes#resetting-to-an-edited-graph) · [words of your own](homes#words-of-your-own) |
 //! | [`acting`] | [actions at points](acting#actions-at-points) · [legal actions with things in view](acting#legal-actions-with-things-in-view) · [control in every tick](acting#control-in-every-tick) · [paths from your own planner](acting#paths-from-your-own-planner) |
 //! | [`clock`] | [several agents at the same time](clock#several-agents-at-the-same-time) · [the ending of an action](clock#the-ending-of-an-action) · [orders that change](clock#orders-that-change) · [processes and durations](clock#processes-and-durations) · [saved in the middle of actions](clock#saved-in-the-middle-of-actions) |
 //! | [`search`] | [a search that tries actions on copies](search#a-search-that-tries-actions-on-copies) · [states of a search](search#states-of-a-search) |

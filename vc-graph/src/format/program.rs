@@ -190,10 +190,10 @@ fn is_meant_as_step(line: &str) -> bool {
         let aim = words.next();
         // `Walk at night` is a title; `walk at x 2.0` is a point with a fault.
         let values: Vec<&str> = words.take_while(|word| !AimWord::is_one(word)).collect();
-        let is_number = |word: &&str| word.parse::<f64>().is_ok();
+        let counts = |word: &&str| word.parse::<f64>().is_ok();
         let acts = || line.split_whitespace().next().is_some_and(|word| Verb::parse(word).is_ok());
-        let point = values.len() <= POINT && values.iter().any(is_number) && acts();
-        let says = names || point || values.first().is_some_and(is_number);
+        let point = values.len() <= POINT && values.iter().any(counts) && acts();
+        let says = names || point || values.first().is_some_and(counts);
         says && aim.map_or(names, AimWord::is_one)
     };
     // One whose opening bracket was lost: `WALK] <cup> (12)`.

@@ -1,5 +1,7 @@
 //! Parts of a goal that cannot hold together, whatever is done.
 
+use std::collections::HashSet;
+
 use vc_graph::goal::{Goal, Literal, Predicate, Term};
 use vc_graph::{NodeId, Relation, SceneGraph, State};
 
@@ -9,23 +11,26 @@ use super::Obstacle;
 /// states that exclude each other.
 pub(super) fn contradiction(goal: &Goal, graph: &SceneGraph) -> Option<Obstacle> {
     let parts = goal.conjuncts();
-    let pairs = parts.iter().enumerate().flat_map(|(at, part)| parts[at + 1..].iter().map(move |other| (part, other)));
-    let excluded =
-        |(part, other): &(&Goal, &Goal)| negates(part, other) || negates(other, part) || are_apart(part, other, graph);
-    let (part, other) = pairs.into_iter().find(excluded)?;
+    let (part, other) = denied(parts).or_else(|| apart(parts, graph))?;
     Some(Obstacle::Contradiction { part: part.to_string(), other: other.to_string() })
 }
 
-fn negates(part: &Goal, other: &Goal) -> bool {
-    matches!(part, Goal::Not(inner) if **inner == *other)
+/// A part and its negation.
+fn denied(parts: &[Goal]) -> Option<(&Goal, &Goal)> {
+    let all: HashSet<&Goal> = parts.iter().collect();
+    let negated = |other: &'_ Goal| if let Goal::Not(part) = other { all.get(&**part).copied() } else { None };
+    parts.iter().find_map(|other| Some((negated(other)?, other)))
 }
 
-/// Whether two parts ask for exclusive states of the same thing.
-fn are_apart(part: &Goal, other: &Goal, graph: &SceneGraph) -> bool {
-    let (Some((one, state)), Some((two, excluded))) = (state_of(part, graph), state_of(other, graph)) else {
-        return false;
-    };
-    one == two && graph.vocabulary().opposites(state).contains(excluded)
+/// Two parts that ask for exclusive states of the same thing.
+fn apart<'g>(parts: &'g [Goal], graph: &SceneGraph) -> Option<(&'g Goal, &'g Goal)> {
+    let asked: Vec<(&Goal, One<'_>, State)> =
+        parts.iter().filter_map(|part| state_of(part, graph).map(|(thing, state)| (part, thing, state))).collect();
+    asked.iter().enumerate().find_map(|(at, (part, thing, state))| {
+        let opposites = graph.vocabulary().opposites(*state);
+        let other = asked[at + 1..].iter().find(|(_, other, state)| other == thing && opposites.contains(*state))?;
+        Some((*part, other.0))
+    })
 }
 
 /// The state that a part asks for, and of whom, if that is one thing or person: whoever is on a seat is sitting.
