@@ -13,6 +13,8 @@ mod bodies;
 #[cfg(feature = "environment")]
 #[path = "support/plain.rs"]
 mod plain;
+#[path = "support/program.rs"]
+mod program;
 mod support;
 
 use std::path::{Path, PathBuf};
@@ -21,7 +23,7 @@ use std::process::ExitCode;
 use clap::Parser;
 use indicatif::{ProgressBar, ProgressStyle};
 use support::{Complaint, say};
-use vc_graph::format::program::{self, Program};
+use vc_graph::format::program::Program;
 use vc_graph::format::virtualhome::{EnvironmentGraph, GraphDifference, RelationType};
 use vc_graph::format::{eai, read_scene};
 use vc_graph::{ClassTable, Event, NodeId, Refusal, SceneGraph, Semantics, Simulator};
@@ -108,12 +110,13 @@ fn replay(file: &Path, scene: Option<&SceneGraph>, options: &Options, tally: &mu
         }
         return replay_records(file, &text, options, tally);
     }
-    let program = program::read(&text).map_err(|e| located(&e))?;
+    let program = program::read(&text).map_err(|why| located(&format!("{why:?}")))?;
+    let titled = program::titled(&program);
     let scene = scene.ok_or_else(|| located(&"a plain program needs --scene FILE"))?;
     let run = execute(scene.clone(), &program, options.semantics);
     tally.programs += 1;
     tally.executable += usize::from(run.refused.is_none());
-    say!("{}: {}", file.display(), run.verdict());
+    say!("{}{titled}: {}", file.display(), run.verdict());
     Ok(())
 }
 
@@ -124,10 +127,10 @@ fn is_scene(text: &str) -> bool {
 }
 
 fn replay_records(file: &Path, text: &str, options: &Options, tally: &mut Tally) -> Result<(), Complaint> {
-    let lines: Vec<&str> = text.lines().filter(|l| !l.trim().is_empty()).collect();
+    let lines: Vec<(usize, &str)> = text.lines().enumerate().filter(|(_, line)| !line.trim().is_empty()).collect();
     let style = ProgressStyle::with_template("{bar:30} {pos}/{len} programs").map_err(Complaint::new)?;
     let bar = ProgressBar::new(lines.len() as u64).with_style(style);
-    for (number, line) in lines.iter().enumerate() {
+    for (number, line) in &lines {
         let replayed = replay_record(line, options, tally);
         let shown = replayed.unwrap_or_else(|problem| {
             tally.unread += 1;

@@ -56,7 +56,10 @@
 //!
 //! | item | content |
 //! |---|---|
-//! | [`Environment`] | make, reset, observation, render, set action; save and restore |
+//! | [`Environment`] | make, reset, observation, render, set action; the clock (`give`, `step`, `interrupt`); save and restore |
+//! | [`EnvironmentBuilder`] | settings: bodies, gravity, hour, fields of view, classes, relations, durations, cameras, threads |
+//! | [`Ending`], [`ActionError`], [`Interruption`], [`PhysicalRefusal`] | how an action ended, and why it was not done |
+//! | [`EnvironmentState`] | a home at rest in some kilobytes, for searches that keep many |
 //! | [`Control`] | velocity, head and hands of a body in every tick, beside actions |
 //! | [`Batch`] | many environments, stepped on all cores |
 //! | [`check_environment`] | a test of the contract that environments keep |
@@ -68,7 +71,9 @@
 //! | [`JsonLines`], [`ResumableRun`] | results of long runs, written one by one; a run that was broken off goes on |
 //! | [`files`] | reading files, gzipped or not, up to a size limit, and writing them whole or not at all |
 //!
-//! [`guide`] has recipes for the first day.
+//! [`guide`] has recipes: [homes and settings](guide::homes), [acting](guide::acting), [the clock, saving and
+//! restoring](guide::clock), [searches](guide::search), [policies and teams](guide::policies),
+//! [pictures and sensors](guide::pictures), [streets](guide::streets).
 //!
 //! # Limitations
 //!

@@ -2,10 +2,11 @@
 
 use std::path::{Path, PathBuf};
 
-use vc_graph::format::program::{self, Program};
+use vc_graph::format::program::Program;
 use vc_graph::{Action, ClassTable, NodeId};
 use virtualcity::{ActionError, Assets, Environment};
 
+use crate::program;
 use crate::support::{Complaint, say};
 
 /// Whether a file is a plain program, not records with graphs; an unreadable file is reported by the next
@@ -27,9 +28,9 @@ pub(crate) fn replay(files: &[PathBuf], scene: &Path) -> bool {
     let (mut executable, mut unread, mut disagreements) = (0, 0, 0);
     for file in files {
         match run(file, scene) {
-            Ok(Ok(done)) => {
+            Ok(Ok(told)) => {
                 executable += 1;
-                say!("{}: executable, {done} actions", file.display());
+                say!("{}: {told}", file.display());
             }
             Ok(Err(stop)) => {
                 disagreements += usize::from(stop.disagreement);
@@ -48,11 +49,11 @@ pub(crate) fn replay(files: &[PathBuf], scene: &Path) -> bool {
     unread + disagreements == 0
 }
 
-/// The number of actions of a program, or the number before one was refused, and the reason.
-fn run(file: &Path, scene: &Path) -> Result<Result<usize, Stop>, Complaint> {
+/// How many actions a program has, or how many were done before one was refused, and the reason, in words.
+fn run(file: &Path, scene: &Path) -> Result<Result<String, Stop>, Complaint> {
     // The scene declares words of its own, which the program may use.
     let scene = virtualcity::read_scene(scene, &ClassTable::builtin()).map_err(Complaint::new)?;
-    let program = program::read(&virtualcity::read_text(file)?).map_err(Complaint::new)?;
+    let program = program::read(&virtualcity::read_text(file)?)?;
     let home = Environment::builder_from_scene(scene).assets(Assets::Generated).agents(characters(&program));
     let mut home = home.make().map_err(Complaint::new)?;
     let mut done = 0;
@@ -69,7 +70,7 @@ fn run(file: &Path, scene: &Path) -> Result<Result<usize, Stop>, Complaint> {
             return Ok(Err(Stop { told: format!("{ended} after {done} actions: {action}: {error}"), disagreement }));
         }
     }
-    Ok(Ok(done))
+    Ok(Ok(format!("executable, {done} actions{}", program::titled(&program))))
 }
 
 /// The number of characters that a program needs.

@@ -8,6 +8,7 @@ use vc_procgen::dress::DressError;
 use vc_relations::InputError;
 
 use super::{Attempt, Disagreement, Interruption};
+use crate::parts::PartsFault;
 
 /// Why there is no environment.
 #[derive(Debug, thiserror::Error)]
@@ -398,8 +399,24 @@ pub enum SaveError {
     /// More follows after a saved environment.
     #[error("{0} bytes follow after the saved environment: give the bytes of `save` alone")]
     More(usize),
+    /// They were saved by an environment with another setting that changes what follows. See
+    /// [`EnvironmentBuilder`](crate::EnvironmentBuilder).
+    #[error(
+        "the environment was saved with `{setting}` {found}, this one has {expected}: make it with the same settings"
+    )]
+    OtherSetting {
+        /// The name of the setting, as the builder's method has it, or `physics.` and a field of its settings.
+        setting: String,
+        /// Its value in this environment.
+        expected: String,
+        /// Its value in the saved one.
+        found: String,
+    },
     /// They were saved by an environment that began otherwise.
-    #[error("the environment was saved from another start: {found} instead of {expected}")]
+    #[error(
+        "the environment was saved from another start, {found} instead of {expected}: restore it in one that was made \
+         of the same scene with as many agents"
+    )]
     OtherStart {
         /// Digest of this environment's start.
         expected: vc_graph::Digest,
@@ -412,6 +429,9 @@ pub enum SaveError {
     /// Endings of actions have not been asked for, and would be lost.
     #[error("{0} endings of actions have not been read: `step(Span(0))` returns them")]
     Unread(usize),
+    /// The settings cannot be written or read.
+    #[error("the settings: {0}")]
+    Settings(#[source] serde_json::Error),
     /// The clock cannot be written or read.
     #[error("the clock: {0}")]
     Clock(#[source] serde_json::Error),
@@ -436,6 +456,16 @@ pub enum SaveError {
     Cameras(#[from] crate::CameraError),
 }
 
+impl From<PartsFault> for SaveError {
+    fn from(why: PartsFault) -> Self {
+        match why {
+            PartsFault::Foreign => Self::NotSaved,
+            PartsFault::More(more) => Self::More(more),
+            PartsFault::Damaged => Self::Damaged,
+        }
+    }
+}
+
 impl From<Disagreement> for ActionError {
     fn from(disagreement: Disagreement) -> Self {
         Self::Disagreement(Box::new(disagreement))
@@ -443,17 +473,39 @@ impl From<Disagreement> for ActionError {
 }
 
 impl PhysicalRefusal {
-    /// Whether another body or a piece of the home is in the way, rather than the deed
-    /// being beyond bodies.
+    /// Whether another body or a piece of the home is in the way, rather than the deed being beyond bodies: the same
+    /// action may be possible once something has been moved. It is not where there is no floor or surface at all, where a
+    /// thing would fall or tip, and where a body is too weak or its reach too short.
+    ///
+    /// ```
+    /// use virtualcity::{ActionError, Environment, PhysicalRefusal};
+    /// let mut home = Environment::make("apartment/42", 1)?;
+    /// let me = home.agents()[0];
+    /// let table = home.graph().of_class("coffee_table")[0];
+    /// let middle = home.graph().node(table).and_then(|node| node.aabb()).ok_or("no box")?.centre();
+    /// match home.set_action(me, format!("walk at {:.2} {:.2}", middle.x, middle.y).parse()?) {
+    ///     Err(ActionError::Impossible { why, .. }) => assert!(why.is_in_the_way(), "{why}"),
+    ///     other => return Err(format!("it stands in the table: {other:?}").into()),
+    /// }
+    /// let too_weak = PhysicalRefusal::NotModelled("nobody lifts that");
+    /// assert!(!too_weak.is_in_the_way());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn is_in_the_way(&self) -> bool {
-        matches!(
-            self,
+        match self {
             Self::NoStand(_)
-                | Self::NoSpot { .. }
-                | Self::ShutsIn { .. }
-                | Self::KeepsOpen { .. }
-                | Self::Stuck { .. }
-                | Self::Unsteady(_)
-        )
+            | Self::NoSpot { .. }
+            | Self::ShutsIn { .. }
+            | Self::KeepsOpen { .. }
+            | Self::NoWay(_)
+            | Self::NoSide { .. }
+            | Self::Stuck { .. }
+            | Self::Unsteady(_) => true,
+            // Without a name there is no floor.
+            Self::PointTaken { by, .. } => !by.is_empty(),
+            Self::NotAsAsked { why, .. } => !matches!(why, SpotRefusal::OffSurface | SpotRefusal::WouldNotRest),
+            Self::Agent(error) => error.is_in_the_way(),
+            _ => false,
+        }
     }
 }

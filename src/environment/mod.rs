@@ -26,6 +26,7 @@ mod scene;
 mod seats;
 #[cfg(feature = "render")]
 mod sensing;
+mod settings;
 mod settle;
 mod stale;
 mod state;
@@ -88,14 +89,20 @@ const WAIST: f32 = 0.9;
 /// | [`render`](Self::render) | `Renderer::snapshot`, `Snapshot::place`, `Renderer::light`, `Renderer::follow`, `Renderer::render` |
 /// | [`set_action`](Self::set_action) | `rule::refusals`, then the clock with `Floor::standing_pose_where`, `PhysicsWorld::grab_with_load`, `SpotSearch`, `PhysicsWorld::put` ..., then `Relations::update_nodes` |
 ///
-/// Beside actions: [`control`](Self::control) of velocity, head and hands in every tick.
+/// Beside these:
 ///
-/// Before one acts: [`legal_actions`](Self::legal_actions), [`objects`](Self::objects),
-/// [`occupancy`](Self::occupancy). To arrange a home: [`spawn`](Self::spawn), [`put`](Self::put),
-/// [`teleport`](Self::teleport).
+/// | for | there are |
+/// |---|---|
+/// | settings: bodies, gravity, hour, fields of view, classes, relations, durations ... | [`builder`](Self::builder), [`builder_from_scene`](Self::builder_from_scene) ([recipe](crate::guide::homes#settings-of-a-home)) |
+/// | the clock: agents that act at the same time, in ticks of 1/60 s | [`give`](Self::give), [`step`](Self::step), [`step_until_idle`](Self::step_until_idle), [`interrupt`](Self::interrupt), [`moment`](Self::moment), [`tick`](Self::tick), [`day_time`](Self::day_time), [`processes`](Self::processes), [`set_actions`](Self::set_actions) ([recipes](crate::guide::clock)) |
+/// | copies: in memory, as states of a search, as bytes | `clone`, [`save_state`](Self::save_state) and [`restore_state`](Self::restore_state), [`save`](Self::save) and [`restore`](Self::restore) ([which for what](crate::guide::clock#saved-in-the-middle-of-actions)) |
+/// | velocity, head and hands in every tick | [`control`](Self::control) ([recipe](crate::guide::acting#control-in-every-tick)) |
+/// | what is possible | [`legal_actions`](Self::legal_actions), [`can_do`](Self::can_do), [`objects`](Self::objects), [`occupancy`](Self::occupancy) |
+/// | arranging a home | [`spawn`](Self::spawn), [`put`](Self::put), [`teleport`](Self::teleport), [`switch_lamps`](Self::switch_lamps) ([recipe](crate::guide::homes#placing-things-and-agents)) |
+/// | cameras and sensors (feature `render`) | [`cameras`](Self::cameras), [`add_camera`](Self::add_camera), [`add_sensor`](Self::add_sensor), [`sense`](Self::sense) ([recipe](crate::guide::pictures#cameras-and-sensors-of-your-own)) |
 ///
 /// `Clone` is the snapshot: what is constant is shared, and a clone goes on as the
-/// original does, bit for bit.
+/// original does, bit for bit, also in the middle of actions.
 ///
 /// ```no_run
 /// use virtualcity::Environment;

@@ -120,6 +120,18 @@ impl Environment {
     /// moved, added and removed by hand or by a program. Agents are where the graph has
     /// them, states are the graph's, what was done is forgotten.
     ///
+    /// | | after a reset |
+    /// |---|---|
+    /// | clock | at [tick](Self::tick) 0, the day and time of day at which the environment [began](crate::EnvironmentBuilder::begins_at) |
+    /// | actions that were [given](Self::give), and those that go on | gone, without an ending; endings that no [`step`](Self::step) has returned are lost |
+    /// | [control](Self::control) of bodies | ended |
+    /// | [history](Self::history) and [changes](Self::changes) | empty |
+    /// | [processes](Self::processes) | begin anew, by the states that the graph has: soup that is half cooled takes its whole time |
+    /// | settings, options of pictures, cameras, sensors, threads | as they were |
+    /// | [saves](Self::save) and [states](Self::save_state) from before | good |
+    ///
+    /// The start itself comes back bit for bit: `reset(&home.start().clone())`.
+    ///
     /// It starts from the bodies as they were made, at rest, and moves only what differs
     /// (`PhysicsWorld::reset`); a thing that the graph has where it is now stays there. New things, and things with a new pose
     /// on or in something else than at the start, keep their pose if it is free and something is right below;
@@ -147,6 +159,13 @@ impl Environment {
     /// assert_eq!(report.added, [apple]);
     /// assert!(report.unplaced.is_empty(), "{:?}", report.unplaced);
     /// assert!(home.world().supports(apple).contains(&table));
+    ///
+    /// // Somebody is about to wave, and is there no more.
+    /// use virtualcity::graph::clock::{Span, Tick};
+    /// home.give(home.agents()[0], "wave".parse()?);
+    /// home.step(Span(10));
+    /// home.reset(&home.start().clone())?;
+    /// assert_eq!((home.tick(), home.is_busy(), home.step(Span(0)).len()), (Tick(0), false, 0));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     ///

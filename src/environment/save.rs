@@ -4,22 +4,28 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use vc_graph::format::native;
-use vc_graph::hash::Digester;
 use vc_graph::{AssetLibrary, Digest, Event, NodeId, SceneBuilder, SceneGraph};
 use vc_physics::PhysicsWorld;
 
 use super::{Environment, Past, SaveError};
+use crate::parts::{self, Magic};
 
 /// The bytes with which saved environments begin.
-const MAGIC: &[u8; 8] = b"VCENV 5\n";
+const MAGIC: &Magic = b"VCENV 6\n";
 
 impl Environment {
-    /// The environment as bytes, for [`restore`](Self::restore): the scene (`format::native::write`) and, once a thing of another shape
-    /// has come, all shapes (megabytes); the bodies (`PhysicsWorld::save`), the history, what agents are in the middle of doing, the
-    /// processes that go on, and cameras that were added; not sensors. `clone` is a much cheaper copy in memory.
+    /// The environment as bytes, for [`restore`](Self::restore), at any time, also in the middle of actions: the settings
+    /// that change what follows, the scene (`format::native::write`) and, once a thing of another shape has come, all shapes
+    /// (megabytes); the bodies (`PhysicsWorld::save`), the history, the actions that agents were given and do with the
+    /// tick at which each goes on, controls, processes, and cameras that were added. Sensors, options of pictures and
+    /// threads are not in it. `clone` is a much cheaper copy in memory, [`save_state`](Self::save_state) a much smaller one
+    /// of a home at rest.
+    ///
+    /// Costs some ten milliseconds, and three megabytes in the middle.
     ///
     /// # Errors
-    /// [`SaveError::World`], [`SaveError::Clock`], [`SaveError::Unread`].
+    /// [`SaveError::Unread`] if endings of actions wait for the next [`step`](Self::step), which would be lost;
+    /// [`SaveError::World`], [`SaveError::Clock`], [`SaveError::Settings`] if something cannot be written.
     pub fn save(&self) -> Result<Vec<u8>, SaveError> {
         match self.unread_endings() {
             0 => {}
@@ -29,44 +35,55 @@ impl Environment {
         let history: String = self.history().events().iter().map(line).collect();
         let (shapes, scene, world) = (self.own_shapes(), without_shapes(&self.graph), self.world.save()?);
         let (clock, cameras) = (self.saved_clock()?, self.saved_cameras().unwrap_or_default());
-        let mut content = self.start.graph.digest().0.to_le_bytes().to_vec();
-        content.extend(u64::from(self.graph.next_number()).to_le_bytes());
-        let texts = [&shapes, &scene, &history, &clock, &cameras].map(String::as_bytes);
-        for part in texts.into_iter().chain([world.as_slice()]) {
-            content.extend((part.len() as u64).to_le_bytes());
-            content.extend(part);
-        }
-        Ok([MAGIC.as_slice(), &checksum(&content).to_le_bytes(), &content].concat())
+        let head = [self.start.graph.digest().0, u64::from(self.graph.next_number())].map(u64::to_le_bytes).concat();
+        let settings = self.saved_settings()?;
+        let texts = [&settings, &shapes, &scene, &history, &clock, &cameras].map(|text| text.as_bytes());
+        let parts: Vec<&[u8]> = [head.as_slice()].into_iter().chain(texts).chain([world.as_slice()]).collect();
+        Ok(parts::joined(MAGIC, &parts))
     }
 
     /// Restores a saved environment, which then evolves as the saved one does, bit for bit. `self` has to have
-    /// been made in the same way as the saved environment, and is not changed.
+    /// been made in the same way as the saved environment, of the same scene and with the same settings, and is not changed:
+    /// anything may have happened in it. Options of pictures, sensors and threads are those of `self`.
     ///
-    /// Uses `format::native::read`, `PhysicsWorld::restore`, `Relations::rebuild` and `Floor::update`.
+    /// Uses `format::native::read`, `PhysicsWorld::restore`, `Relations::rebuild` and `Floor::update`. Costs some tens of
+    /// milliseconds.
     ///
     /// # Errors
-    /// [`SaveError`] if the bytes are no saved environment, are damaged, or were saved by one with another start.
+    /// [`SaveError::NotSaved`], [`SaveError::More`], [`SaveError::Damaged`] if the bytes are not those of a saved
+    /// environment; [`SaveError::OtherSetting`] with the name of a setting that was another; [`SaveError::OtherStart`] if
+    /// the scene was another; otherwise the error of the part that cannot be read.
+    ///
+    /// ```
+    /// use virtualcity::graph::clock::Span;
+    /// use virtualcity::{Environment, SaveError};
+    /// let mut home = Environment::make("apartment/42", 1)?;
+    /// let (me, fridge) = (home.agents()[0], home.graph().of_class("fridge")[0]);
+    /// home.give(me, format!("walk fridge.{}", fridge.0).parse()?);
+    /// home.step(Span(20));
+    /// // On its way, a third of a second after it has set out.
+    /// let saved = home.save()?;
+    /// let mut other = Environment::make("apartment/42", 1)?.restore(&saved)?;
+    /// let minute = Span::from_seconds(60.0);
+    /// assert_eq!(home.step_until_idle(minute), other.step_until_idle(minute));
+    /// assert_eq!(home.digest(), other.digest());
+    ///
+    /// let moon = Environment::builder("apartment/42").gravity(1.62).make()?;
+    /// assert!(matches!(moon.restore(&saved), Err(SaveError::OtherSetting { setting, .. }) if setting == "gravity"));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn restore(&self, bytes: &[u8]) -> Result<Self, SaveError> {
-        let (sum, content) = number(bytes.strip_prefix(MAGIC).ok_or(SaveError::NotSaved)?)?;
-        let (digest, rest) = number(content)?;
-        let (next, rest) = number(rest)?;
-        let (shapes, rest) = part(rest)?;
-        let (scene, rest) = part(rest)?;
-        let (history, rest) = part(rest)?;
-        let (clock, rest) = part(rest)?;
-        let (cameras, rest) = part(rest)?;
-        let (world, rest) = part(rest)?;
-        if !rest.is_empty() {
-            return Err(SaveError::More(rest.len()));
-        }
-        if checksum(content) != sum {
-            return Err(SaveError::Damaged);
-        }
+        let parts = parts::split(MAGIC, bytes)?;
+        let parts: [&[u8]; 8] = parts.try_into().map_err(|_| SaveError::NotSaved)?;
+        let [head, settings, shapes, scene, history, clock, cameras, world] = parts;
+        let (digest, next) = parts::number(head)?;
+        let (next, _) = parts::number(next)?;
+        let text = |bytes| std::str::from_utf8(bytes).map_err(|_| SaveError::NotSaved);
+        self.check_settings(text(settings)?)?;
         let (expected, found) = (self.start.graph.digest(), Digest(digest));
         if expected != found {
             return Err(SaveError::OtherStart { expected, found });
         }
-        let text = |bytes| std::str::from_utf8(bytes).map_err(|_| SaveError::NotSaved);
         let next = u32::try_from(next).map_err(|_| SaveError::NotSaved)?;
         let graph = self.read_scene(text(scene)?, self.read_shapes(text(shapes)?)?, next)?;
         let world = PhysicsWorld::restore(world, &graph, &self.start.shapes)?;
@@ -120,12 +137,6 @@ fn without_shapes(graph: &SceneGraph) -> String {
     native::write(&bare.build())
 }
 
-fn checksum(content: &[u8]) -> u64 {
-    let mut hash = Digester::new();
-    hash.words(content.iter().map(|byte| u64::from(*byte)));
-    hash.digest().0
-}
-
 #[cfg(feature = "render")]
 impl Environment {
     fn saved_cameras(&self) -> Option<String> {
@@ -150,16 +161,4 @@ impl Environment {
     fn restore_cameras(&mut self, _: Option<&str>) -> Result<(), SaveError> {
         Ok(())
     }
-}
-
-fn number(bytes: &[u8]) -> Result<(u64, &[u8]), SaveError> {
-    let (head, rest) = bytes.split_first_chunk::<8>().ok_or(SaveError::NotSaved)?;
-    Ok((u64::from_le_bytes(*head), rest))
-}
-
-/// Splits off a length and as many bytes.
-fn part(bytes: &[u8]) -> Result<(&[u8], &[u8]), SaveError> {
-    let (length, rest) = number(bytes)?;
-    let length = usize::try_from(length).map_err(|_| SaveError::NotSaved)?;
-    rest.split_at_checked(length).ok_or(SaveError::NotSaved)
 }

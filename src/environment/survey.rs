@@ -14,7 +14,7 @@ impl Environment {
     ///
     /// The whole home is listed, as the rule knows all of it: one may walk to and look for what one has never seen, and
     /// use what is near in other ways than people would: `rinse living_room.0`, or `type radiator.133`, as what has a
-    /// switch is a device. The [guide](crate::guide#legal-actions-with-things-in-view) lists those with what is in view.
+    /// switch is a device. The [guide](crate::guide::acting#legal-actions-with-things-in-view) lists those with what is in view.
     ///
     /// ```
     /// use virtualcity::Environment;

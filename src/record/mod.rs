@@ -31,14 +31,12 @@ const SIX: &str = "Colours, instances, classes; depth, optical flow, boxes and m
 ///
 /// It is a [`World`], so that a policy acts in it as in any other; each action is shown in time
 /// ([`Environment::set_action_in_time`]), and after every sixth of a second pictures are made, in actions that take minutes
-/// a few in all: in
-/// long episodes after every third, and so on, so that a film has no more than 180.
-/// The folder then has
+/// a few in all; in long episodes after every third, and so on, so that a film has no more than 180. The folder then has
 ///
 /// | file | content |
 /// |---|---|
 /// | `index.html` | a page that plays the film and shows all of it ([`Page`]) |
-/// | `trajectory.jsonl` | a line about the run, one for each action that was tried, with time, place and digest, one about its end |
+/// | `trajectory.jsonl` | a line about the run, one for each action that was tried, with time, place and digest, one about its end: [fields](#the-trajectory) |
 /// | `film/` | the film's pictures as JPEG, for the page and for tools that make videos: from the agent's eyes and from a corner of the room |
 /// | `film.gif`, `film.png` | the film in half its size at twice the speed, as GIF and as animated PNG |
 /// | `map.png` | the home from above, and the ways the agents went |
@@ -63,6 +61,66 @@ const SIX: &str = "Colours, instances, classes; depth, optical flow, boxes and m
 /// println!("look at {}", page.display());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
+///
+/// # The trajectory
+///
+/// `trajectory.jsonl` has one JSON object a line. The first is about the run:
+///
+/// | field | content |
+/// |---|---|
+/// | `scene`, `digest` | the scene's name, and the [digest](Environment::digest) of the home as the run began |
+/// | `agent` | the label of the agent that the camera follows |
+/// | `task`, `goal` | the title of the task, and its goal as text |
+///
+/// Then there is one for each action that was tried, in the order of the agents' orders. Agents that act together do so in
+/// one round: all lines of it are written when the last of its actions has ended, and tell the home as it is then.
+///
+/// | field | content |
+/// |---|---|
+/// | `agent`, `action` | the label of who acted, and the action with labels, `grab cup.12` |
+/// | `refused` | why it was not done, whatever the reason; `null` if it was |
+/// | `time` | the home's time at the end of the round, seconds since the record began; a reset does not count |
+/// | `step` | the number of actions that all agents have done by the end of the round, since the last reset |
+/// | `at` | the agent's place, metres: X, Y and Z of the point between its feet, or on its seat; `null` without a pose |
+/// | `room` | the label of its room, or `null` |
+/// | `held` | the labels of what it holds |
+/// | `digest` | that of the home |
+///
+/// A [`reset`](Environment::reset) through the recorder adds a line with the scene's name as `reset` and a `digest`. The last
+/// line is the [`Summary`]: `outcome` is `won`, `lost`, `timed_out` or `aborted`, `score` the share of the goal that holds, 0
+/// to 1, `steps` the number of actions that were done or tried, `reason` why it ended, or `null`.
+///
+/// ```
+/// use virtualcity::graph::Action;
+/// use virtualcity::planner::Summary;
+/// use virtualcity::tasks::{Outcome, Task, World};
+/// use virtualcity::{Environment, RecordOptions, Recorder};
+///
+/// # let folder = std::env::temp_dir().join(format!("vc-trajectory-{}", std::process::id()));
+/// let home = Environment::make("apartment/42", 2)?;
+/// let (me, you) = (home.agents()[0], home.agents()[1]);
+/// let walk = Action::walk(home.graph().of_class("fridge")[0]);
+/// let task = Task::new("to the fridge", "Near(fridge)".parse()?);
+/// let options = RecordOptions { width: 64, ..RecordOptions::default() };
+/// let mut recorder = Recorder::create(&folder, home, me, &task, options)?;
+/// // A round of both: waving is over before the walk.
+/// let outcomes = recorder.step_together(&[(me, walk), (you, "wave".parse()?)]);
+/// assert!(outcomes.iter().all(Result::is_ok));
+/// recorder.finish(Summary { outcome: Outcome::Won, score: 1.0, steps: 2, reason: None }, None)?;
+///
+/// let text = std::fs::read_to_string(folder.join("trajectory.jsonl"))?;
+/// let lines: Vec<serde_json::Value> = text.lines().map(serde_json::from_str).collect::<Result<_, _>>()?;
+/// assert_eq!((lines.len(), &lines[0]["goal"]), (4, &"Near(me, fridge)".into()));
+/// assert_eq!(lines[2]["action"], "wave");
+/// for field in ["time", "step", "digest"] {
+///     assert_eq!(lines[1][field], lines[2][field]);
+/// }
+/// assert_eq!((&lines[1]["step"], &lines[3]["outcome"]), (&2.into(), &"won".into()));
+/// # std::fs::remove_dir_all(&folder)?;
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Pictures
 ///
 /// In the film an eye that comes through a door into other light adapts to it within half a second.
 ///

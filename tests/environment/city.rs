@@ -302,7 +302,7 @@ fn a_saved_city_goes_on_as_it_would_have() {
     city.give(agents[1], Action::walk(table)).unwrap();
     let (mut tried, mut stages) = (0, std::collections::BTreeSet::new());
     while city.agents().any(|agent| city.current_action(agent).is_some()) || city.region_of(cup) != Some(landing(2)) {
-        city.step(Span(97));
+        city.step(Span(61));
         let saved = city.save().unwrap();
         stages.insert((
             city.region_of(agents[0]),

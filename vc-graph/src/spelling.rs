@@ -111,6 +111,27 @@ pub fn did_you_mean<'w>(word: &str, known: impl IntoIterator<Item = &'w str>) ->
     if near.is_empty() { String::new() } else { format!(" (did you mean {}?)", near.join(" or ")) }
 }
 
+/// A number of things: `one thing`.
+pub(crate) fn things(number: usize) -> String {
+    match number {
+        0 => "no things".to_owned(),
+        1 => "one thing".to_owned(),
+        2 => "two things".to_owned(),
+        more => format!("{more} things"),
+    }
+}
+
+/// How many things something takes, and how many it is given: `one thing, none is given`.
+pub(crate) fn takes_and_given(takes: usize, given: usize) -> String {
+    let takes = things(takes);
+    match given {
+        0 => format!("{takes}, none is given"),
+        1 => format!("{takes}, one is given"),
+        2 => format!("{takes}, two are given"),
+        more => format!("{takes}, {more} are given"),
+    }
+}
+
 /// The edit distance of two words (optimal string alignment).
 fn slips(a: &[char], b: &[char]) -> usize {
     let mut before: Vec<usize> = Vec::new();

@@ -228,6 +228,27 @@ pub enum AgentError<N = NodeId> {
     World(#[from] PhysicsError<N>),
 }
 
+impl<N> AgentError<N> {
+    /// Whether a thing or somebody is in the way: the call may succeed once that has been moved.
+    ///
+    /// ```
+    /// use vc_physics::AgentError;
+    /// assert!(AgentError::SeatTaken("sofa.9").is_in_the_way());
+    /// assert!(!AgentError::NoSeat("stove.6").is_in_the_way());
+    /// ```
+    pub fn is_in_the_way(&self) -> bool {
+        matches!(
+            self,
+            Self::Occupied { .. }
+                | Self::NoExit(_)
+                | Self::SeatTaken(_)
+                | Self::SeatCovered { .. }
+                | Self::PlaceTaken { .. }
+                | Self::SideTaken { .. }
+        )
+    }
+}
+
 impl<N> PhysicsError<N> {
     /// The same error with other names for nodes, such as their labels in a scene.
     ///

@@ -170,8 +170,9 @@ impl Task {
 
     /// The reason why the goal is lost in a scene before anything is done: a label of another class than its node, or a
     /// missing node or an unknown class in a part that must not hold or must hold for all, a predicate that the scene does
-    /// not define and without which nothing is meant, or a part that ranges over more than 10^8 choices of objects. A part with a wrong name would hold at
-    /// once, as nothing on the table is a `mugg`. A known class of which the scene has no object is no such name.
+    /// not define and without which nothing is meant, a part that ranges over more than 10^8 choices of objects, or two parts
+    /// that never hold together. A part with a wrong name would hold at once, as nothing on the table is a `mugg`. A known
+    /// class of which the scene has no object is no such name.
     ///
     /// ```
     /// use vc_graph::{Draft, SceneBuilder};
@@ -185,6 +186,8 @@ impl Task {
     /// let lost = why("always !On(mugg, kitchen_table)")?;
     /// assert_eq!(lost.as_deref(), Some("there is no class `mugg` (did you mean `mug`?)"));
     /// assert_eq!(why("!On(mug, kitchen_table)")?, None); // there is no mug, and so none on the table
+    /// let lost = why("On(mug, kitchen_table) & !On(mug, kitchen_table)")?;
+    /// assert!(lost.is_some_and(|why| why.ends_with("never hold at the same time")));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn lost(&self, graph: &SceneGraph) -> Option<Lost> {

@@ -36,7 +36,7 @@ impl Environment {
     /// ```
     ///
     /// The coordinate and the rotation of an action are its [`Aim`](vc_graph::Aim): a point of the world, metres, and a
-    /// heading, degrees counter-clockwise from X; see the [guide](crate::guide#actions-at-points).
+    /// heading, degrees counter-clockwise from X; see the [guide](crate::guide::acting#actions-at-points).
     ///
     /// The changes are all those of the graph since the last action that was done.
     ///

@@ -36,12 +36,13 @@ use super::{ActionError, Attempt, Environment, PhysicalRefusal};
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct Control {
-    /// The velocity of the body ahead and to the left, metres per second, in its own frame.
+    /// The velocity of the body ahead and to the left, metres per second, in its own frame. A faster one than the body
+    /// runs, 3 m/s by default ([`BodyPlan::run`](vc_physics::BodyPlan::run)), is cut to that speed in the same direction.
     pub velocity: Vector2<f32>,
-    /// The rate at which it turns to the left, radians per second.
+    /// The rate at which it turns to the left, radians per second; more than 5 to either side is cut to 5.
     pub turn: f32,
-    /// The direction of the head to the left and up from straight ahead, radians, as far as a neck turns. Without it the
-    /// eyes follow a hand.
+    /// The direction of the head to the left and up from straight ahead, radians, as far as a neck turns: what
+    /// is beyond 1.2 to a side or 1.4 up or down is cut to that. Without it the eyes follow a hand.
     pub head: Option<Vector2<f32>>,
     /// The goals of the hands, the right one first, in the body's frame. A hand without one does nothing, and carries what
     /// it holds.

@@ -1,8 +1,9 @@
 //! A home that is saved in any tick of an action goes on as if it had not been.
 
-use virtualcity::graph::clock::Span;
-use virtualcity::graph::{Action, NodeId, Place, Property, Relation, State, Verb};
-use virtualcity::{Ending, Environment};
+use virtualcity::graph::clock::{Durations, ProcessTable, Span};
+use virtualcity::graph::{Action, ClassTable, NodeId, Place, Property, Relation, State, Verb};
+use virtualcity::relations::RelationRule;
+use virtualcity::{Ending, Environment, PictureOptions, SaveError, physics};
 
 use super::super::act;
 use super::{LONG, home};
@@ -151,6 +152,40 @@ fn a_saved_action_keeps_the_names_that_it_uses() {
     let outcomes = [&mut home, &mut restored].map(|home| home.step(Span(1000)));
     assert!(outcomes.iter().all(|endings| endings[0].outcome.is_err()));
     assert_eq!(home.digest(), restored.digest());
+}
+
+/// A save goes on only under the settings that it was made under, and says which one differs; what does not change what
+/// follows may be set otherwise.
+#[test]
+fn a_save_is_of_its_settings() {
+    let plain = || Environment::builder("apartment/3");
+    let saved = plain().make().unwrap().save().unwrap();
+    let classes = ClassTable::builtin();
+    let longer = Durations::builtin().extended("mine.txt", "eat | * | 3 min", &classes).unwrap();
+    let slower =
+        ProcessTable::builtin().extended("mine.txt", "cooling | * | hot | | | -hot | | | 5 h", &classes).unwrap();
+    let stiff = physics::Settings { hinge_friction: 0.5, ..physics::Settings::default() };
+    for (name, other) in [
+        ("gravity", plain().gravity(1.62)),
+        ("physics.hinge_friction", plain().physics(stiff)),
+        ("tolerance", plain().tolerance(0.01)),
+        ("relations", plain().relations(RelationRule::VirtualHome)),
+        ("begins_at", plain().hour(7.0)),
+        ("bodies", plain().bodies(false)),
+        ("processes_at_once", plain().processes_at_once()),
+        ("durations", plain().durations(longer)),
+        ("processes", plain().processes(slower)),
+    ] {
+        let other = other.make().unwrap();
+        let error = other.restore(&saved).unwrap_err();
+        assert!(matches!(&error, SaveError::OtherSetting { setting, .. } if setting == name), "{name}: {error}");
+        let again = other.restore(&other.save().unwrap()).unwrap();
+        assert_eq!(again.digest(), other.digest(), "{name}");
+    }
+    let eyes = PictureOptions { eye_height: Some(0.5), ..PictureOptions::default() };
+    assert!(plain().pictures(eyes).threads(1).make().unwrap().restore(&saved).is_ok());
+    let two = plain().agents(2).make().unwrap();
+    assert!(matches!(two.restore(&saved), Err(SaveError::OtherStart { .. })));
 }
 
 /// The longest span ends with the last tick that can be counted.

@@ -9,6 +9,7 @@ mod verb;
 use std::fmt;
 
 use crate::rule::table::RULES;
+use crate::spelling::takes_and_given;
 use crate::{NodeId, SceneGraph, Word};
 
 pub use aim::{Aim, AimError, AimPart, AimPoint, AimWord, Heading, Side};
@@ -63,7 +64,7 @@ pub enum ActionTextError {
     #[error(transparent)]
     Label(#[from] crate::LabelError),
     /// Too few or too many objects.
-    #[error("`{verb}` takes {takes} things, {given} are given")]
+    #[error("`{verb}` takes {}{}", takes_and_given(*.takes, *.given), missing(*.verb, *.given))]
     Arity {
         /// The verb.
         verb: Verb,
@@ -87,6 +88,20 @@ pub enum ActionTextError {
     /// An action with an aim, which VirtualHome's notation cannot say.
     #[error("VirtualHome's notation has no points, headings, seats, slots or sides: leave `{0}` out")]
     AimNotInVirtualHome(String),
+}
+
+/// An example of what a text without a thing lacks.
+fn missing(verb: Verb, given: usize) -> String {
+    if given > 0 {
+        return String::new();
+    }
+    let at_point = AimPoint::new(1.2, 0.4, None).is_ok_and(|point| {
+        let aim = Aim::NOTHING.with_point(point);
+        RULES.get(verb.index()).is_some_and(|rule| rule.aims.stands_for_object(&aim))
+    });
+    let things = ["", " cup.12", " cup.12 table.3"][verb.arity().min(2)];
+    let point = if at_point { format!(", or a point as in `{verb} at 1.20 0.40`") } else { String::new() };
+    format!(": write its class and number, as in `{verb}{things}`{point}")
 }
 
 impl Action {

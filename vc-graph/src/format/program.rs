@@ -174,6 +174,9 @@ fn heading(lines: &[(usize, &str)]) -> usize {
     sure + more.count()
 }
 
+/// The most numbers of a point.
+const POINT: usize = 3;
+
 /// Whether a line has the form of an action, valid or not: in VirtualHome's brackets, or as a verb with labels.
 fn is_meant_as_step(line: &str) -> bool {
     let verb = |text: &str| {
@@ -184,9 +187,13 @@ fn is_meant_as_step(line: &str) -> bool {
         let thing = |word: &str| word.parse::<Label>().is_ok() || word.strip_prefix('#').is_some_and(is_number);
         let names = line.split_whitespace().nth(1).is_some_and(thing);
         let mut words = line.split_whitespace().skip(1).skip_while(|word| thing(word));
-        let (aim, value) = (words.next(), words.next());
-        // `Walk at night` is a title.
-        let says = names || value.is_some_and(|word| word.parse::<f64>().is_ok());
+        let aim = words.next();
+        // `Walk at night` is a title; `walk at x 2.0` is a point with a fault.
+        let values: Vec<&str> = words.take_while(|word| !AimWord::is_one(word)).collect();
+        let counts = |word: &&str| word.parse::<f64>().is_ok();
+        let acts = || line.split_whitespace().next().is_some_and(|word| Verb::parse(word).is_ok());
+        let point = values.len() <= POINT && values.iter().any(counts) && acts();
+        let says = names || point || values.first().is_some_and(counts);
         says && aim.map_or(names, AimWord::is_one)
     };
     // One whose opening bracket was lost: `WALK] <cup> (12)`.

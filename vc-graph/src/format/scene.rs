@@ -28,8 +28,9 @@ use crate::{ClassTable, SceneGraph};
 /// # Errors
 /// The [`FormatError`] of the most similar format; for a text that is no JSON, one that names the known formats.
 pub fn read_scene(text: &str, classes: &Arc<ClassTable>) -> Result<SceneGraph, FormatError> {
-    if unmarked(text).trim_start().starts_with(|c| !matches!(c, '{' | '[')) {
-        return Err(FormatError { format: "scene", line: None, field: String::new(), problem: Box::new(unknown()) });
+    if !unmarked(text).trim_start().starts_with(['{', '[']) {
+        let problem = Box::new(unknown(text.trim().is_empty()));
+        return Err(FormatError { format: "scene", line: None, field: String::new(), problem });
     }
     let mut outline = Outline::default();
     let mut json = serde_json::Deserializer::from_str(unmarked(text));
@@ -38,9 +39,10 @@ pub fn read_scene(text: &str, classes: &Arc<ClassTable>) -> Result<SceneGraph, F
     outline.reader()(text, classes)
 }
 
-fn unknown() -> FormatProblem {
+fn unknown(empty: bool) -> FormatProblem {
     let formats = "VirtualCity's scenes, VirtualHome's graphs and the thesis's scenes";
-    FormatProblem::Shape(format!("the text is no scene in any known format: those are the JSON of {formats}"))
+    let fault = if empty { "the text is empty" } else { "the text is no scene in any known format" };
+    FormatProblem::Shape(format!("{fault}; scenes are the JSON of {formats}"))
 }
 
 type Reader = fn(&str, &Arc<ClassTable>) -> Result<SceneGraph, FormatError>;

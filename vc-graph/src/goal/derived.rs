@@ -50,6 +50,11 @@ impl DerivedPredicate {
         NAMES.declare(name, terms).map(|number| Self(number as u8))
     }
 
+    /// All predicates that vocabularies of this process have declared.
+    pub(super) fn all() -> impl Iterator<Item = Self> {
+        (0..OwnWords::MOST).take_while(|number| NAMES.name(*number).is_some()).map(|number| Self(number as u8))
+    }
+
     fn entry(self) -> (&'static str, u8) {
         NAMES.name(self.index()).unwrap_or_default()
     }

@@ -3,7 +3,7 @@
 use super::write::capitalised;
 use super::{DerivedPredicate, Predicate};
 use crate::spelling::{key, same_word};
-use crate::vocabulary::Word;
+use crate::vocabulary::{Word, known};
 use crate::{Relation, State, Verb};
 
 /// Whether the agent may be omitted from a predicate's terms: `Near(table)`.
@@ -97,7 +97,14 @@ pub(super) fn taking(name: &str, given: usize) -> String {
     if near.is_empty() { String::new() } else { format!(" (did you mean {}?)", near.join(" or ")) }
 }
 
-pub(super) fn words<W: Word>() -> impl Iterator<Item = &'static str> {
+/// Every name of a predicate, those that scenes of this process have declared among them.
+pub(super) fn known_predicates() -> impl Iterator<Item = &'static str> {
+    let named = NAMES.iter().map(|(name, _)| *name);
+    let derived = DerivedPredicate::all().map(DerivedPredicate::as_str);
+    named.chain(known::<State>()).chain(words::<Relation>()).chain(words::<Verb>()).chain(derived)
+}
+
+fn words<W: Word>() -> impl Iterator<Item = &'static str> {
     W::ALL.iter().map(|word| word.as_str())
 }
 

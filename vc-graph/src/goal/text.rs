@@ -4,7 +4,8 @@ use std::str::FromStr;
 
 use super::Goal;
 use super::scan::{Token, scan};
-use crate::spelling::{clip, unmarked};
+use crate::spelling::{clip, takes_and_given, unmarked};
+use crate::vocabulary::known;
 use crate::{Verb, did_you_mean, goal::names};
 
 /// Longest goal that is parsed, bytes.
@@ -45,14 +46,14 @@ pub enum GoalProblem {
     /// An unknown predicate.
     #[error(
         "unknown predicate `{0}`{near}; use a state (Open, Clean), a relation (On, Inside, Near) or a verb (Sit, Eat); your own are declared in a `Vocabulary` first",
-        near = did_you_mean(.0, names::predicates())
+        near = did_you_mean(.0, names::known_predicates())
     )]
     Predicate(String),
     /// A word after `did` that is no verb.
-    #[error("unknown verb `{0}` after `did`{near}; use one such as `did grab(cup)`; your own are declared in a `Vocabulary` first", near = did_you_mean(.0, names::words::<Verb>()))]
+    #[error("unknown verb `{0}` after `did`{near}; use one such as `did grab(cup)`; your own are declared in a `Vocabulary` first", near = did_you_mean(.0, known::<Verb>()))]
     Verb(String),
     /// A predicate with the wrong number of terms.
-    #[error("`{predicate}` takes {takes} things, {given} are given{near}", near = names::taking(.predicate, *.given))]
+    #[error("`{predicate}` takes {}{near}", takes_and_given(*.takes, *.given), near = names::taking(.predicate, *.given))]
     Arity {
         /// The predicate.
         predicate: String,

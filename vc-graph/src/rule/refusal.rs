@@ -1,5 +1,6 @@
 //! Reasons for the refusal of actions.
 
+use crate::spelling::takes_and_given;
 use crate::{AimPoint, EditError, Label, NodeId, Property, Relation, State, Verb};
 
 /// The reason why an action is refused. Every refusal names the objects and the unmet precondition.
@@ -23,7 +24,7 @@ pub enum Refusal {
     #[error("{0} is to be put on, in or with itself")]
     WithItself(Label),
     /// Too few objects are named.
-    #[error("`{verb}` takes {takes} things, {given} are given")]
+    #[error("`{verb}` takes {}", takes_and_given(*.takes, *.given))]
     Arity {
         /// The verb.
         verb: Verb,

@@ -3,6 +3,7 @@
 use super::{NameProblem, UnknownWord};
 use crate::State;
 use crate::goal::GoalError;
+use crate::spelling::things as number_of;
 
 /// An error in the text of a [`Vocabulary`](super::Vocabulary), with its line.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
@@ -97,7 +98,7 @@ pub enum VocabularyProblem {
     #[error("`{0}` is no thing of an action: `x` is the first, `y` the second")]
     Thing(String),
     /// A rule is about a thing that its verb does not take.
-    #[error("`{verb}` takes {things} things, so there is no `{thing}`")]
+    #[error("`{verb}` takes {}, so there is no `{thing}`", number_of(*.things))]
     NoSuchThing {
         /// The verb.
         verb: String,

@@ -64,8 +64,9 @@ pub trait Word: Copy + Eq + Ord + Hash + fmt::Debug + 'static {
     fn parse(text: &str) -> Result<Self, UnknownWord> {
         Self::builtin(text).or_else(|| Self::declared(text)).ok_or_else(|| UnknownWord {
             what: Self::WHAT,
-            word: clip(text),
-            allowed: Self::ALL.iter().map(|w| w.as_str()).collect::<Vec<_>>().join(" "),
+            word: clip(text).into(),
+            allowed: Self::ALL.iter().map(|w| w.as_str()).collect::<Vec<_>>().join(" ").into(),
+            near: did_you_mean(&clip(text), known::<Self>()).into(),
         })
     }
 }
@@ -78,14 +79,22 @@ pub trait Word: Copy + Eq + Ord + Hash + fmt::Debug + 'static {
 /// assert!(error.to_string().contains("open"));
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[error("unknown {what} `{word}`{}; use one of: {allowed}{}", did_you_mean(.word, .allowed.split(' ')), hint(.what))]
+#[error("unknown {what} `{word}`{near}; use one of: {allowed}{}", hint(.what))]
 pub struct UnknownWord {
     /// The noun for a word of the vocabulary.
     pub what: &'static str,
     /// The spelling that was not found (clipped to a readable length).
-    pub word: String,
+    pub word: Box<str>,
     /// The built-in words of the vocabulary.
-    pub allowed: String,
+    pub allowed: Box<str>,
+    /// The words nearest to it, own ones among them, as [`did_you_mean`] writes them; empty if none is near.
+    pub near: Box<str>,
+}
+
+/// The written forms of all words of a vocabulary: the built-in ones, then those that scenes of this process have declared.
+pub(crate) fn known<W: Word>() -> impl Iterator<Item = &'static str> {
+    let own = (OwnWords::FIRST..).map_while(W::from_index);
+    W::ALL.iter().copied().chain(own).map(W::as_str)
 }
 
 /// How to have a word of one's own, where that is possible.

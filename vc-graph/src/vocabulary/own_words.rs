@@ -2,7 +2,7 @@
 
 use std::sync::OnceLock;
 
-use crate::spelling::{clip, key};
+use crate::spelling::{clip, key, things as number_of};
 
 /// The own words of one kind. A word gets the first free number and keeps it as long as the process runs, so that a word
 /// is a few bits and can be written without its scene. Numbers depend on which scene came first; nothing else may.
@@ -48,7 +48,7 @@ pub enum NameProblem {
         known: &'static str,
     },
     /// A verb or predicate of this name takes another number of things.
-    #[error("`{word}` takes {known} things elsewhere in this program, not {things}: choose another name")]
+    #[error("`{word}` takes {} elsewhere in this program, not {things}: choose another name", number_of((*.known).into()))]
     Things {
         /// The name.
         word: String,

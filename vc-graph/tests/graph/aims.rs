@@ -207,6 +207,17 @@ fn lines_with_points_are_steps() {
     assert_eq!((program.heading.len(), program.steps.len()), (1, 2));
     let error = program::read("walk at 3.2 1.5\nwalk at 3.2\n").unwrap_err();
     assert_eq!(error.line, Some(2));
+    for (text, fault) in [
+        ("walk at x y 100", "program, line 1: `x` is not a number"),
+        ("walk at 3.2 north", "program, line 1: `north` is not a number"),
+        (
+            "walk yaw 90",
+            "program, line 1: `walk` takes one thing, none is given: write its class and number, as in `walk cup.12`, or a point as in `walk at 1.20 0.40`",
+        ),
+    ] {
+        let told = program::read(&format!("{text}\n\ndance\n")).unwrap_err().to_string();
+        assert!(told.starts_with(fault), "{told}");
+    }
     // A title, though it begins as an action does.
     let program = program::read("Walk at night\n\nwalk at 3.2 1.5\n").unwrap();
     assert_eq!((program.heading, program.steps.len()), (vec!["Walk at night".to_owned()], 1));

@@ -103,8 +103,8 @@ fn errors_say_where_and_what() {
             "Fly(bird)",
             "goal, character 1: unknown predicate `Fly`; use a state (Open, Clean), a relation (On, Inside, Near) or a verb (Sit, Eat); your own are declared in a `Vocabulary` first",
         ),
-        ("Open(door, box)", "goal, character 1: `Open` takes 1 things, 2 are given"),
-        ("On(a, b, c)", "goal, character 1: `On` takes 2 things, 3 are given"),
+        ("Open(door, box)", "goal, character 1: `Open` takes one thing, two are given"),
+        ("On(a, b, c)", "goal, character 1: `On` takes two things, 3 are given"),
         ("Clean(?p)", "goal, character 7: no forall or exists binds the variable `?p`"),
         ("forall ?p plate. Clean(?p)", "goal, character 11: expected `.` after the variable, found `plate`"),
         ("On(\"apple, table)", "goal, character 18: expected a closing `\"`, found the end"),
@@ -154,7 +154,7 @@ fn two_things_without_a_comma_are_not_one_that_is_on() {
 #[test]
 fn errors_name_the_form_that_was_meant() {
     for (text, meant) in [
-        ("Sitting(me, sofa)", "`Sitting` takes 1 things, 2 are given (did you mean `SittingOn`?)"),
+        ("Sitting(me, sofa)", "`Sitting` takes one thing, two are given (did you mean `SittingOn`?)"),
         ("Lying(me, bed)", "(did you mean `LyingOn`?)"),
         ("Hold(mug)", "unknown predicate `Hold` (did you mean `holds` or "),
         ("did dance", "expected `()` after a name that is about nothing, as in `did dance()`, found the end"),

@@ -231,7 +231,7 @@ fn errors_say_what_is_wrong() {
         ("verb bend 1 | needs: near", "`near` has too few words or too many"),
         ("verb bend 1 | needs: near x y", "too few words or too many"),
         ("verb bend 1 | needs: near z", "`z` is no thing of an action"),
-        ("verb bend 1 | needs: near y", "`bend` takes 1 things, so there is no `y`"),
+        ("verb bend 1 | needs: near y", "`bend` takes one thing, so there is no `y`"),
         ("verb bend 1 | needs: in x bendd", "unknown state `bendd`"),
         ("verb bend 1 | effects: pose_as x aim", "effects of an aim are not written"),
         ("verb bend 1 | effects: enter x opened; ", "unknown state `opened`"),
@@ -258,9 +258,26 @@ fn errors_say_what_is_wrong() {
     let spelling = problem("state wa_xed").to_string();
     assert!(spelling.contains("is spelled `waxed` elsewhere"), "{spelling}");
     let things = problem("verb bend 2").to_string();
-    assert!(things.contains("takes 1 things elsewhere in this program, not 2"), "{things}");
+    assert!(things.contains("takes one thing elsewhere in this program, not 2"), "{things}");
     let unknown = State::parse("moonlit").unwrap_err().to_string();
     assert!(unknown.ends_with("; your own are declared in a `Vocabulary` first"), "{unknown}");
+}
+
+/// A misspelt word is held against own ones, too.
+#[test]
+fn misspelt_own_words() {
+    words("state varnished\nverb varnish 1 | effects: enter x varnished\npredicate gleaming ?x | is: Varnished(?x)");
+    let goal = |text: &str| text.parse::<Goal>().unwrap_err().to_string();
+    for (told, meant) in [
+        ("varnsh cup.3".parse::<Action>().unwrap_err().to_string(), "unknown verb `varnsh` (did you mean `varnish`?)"),
+        (State::parse("varnishd").unwrap_err().to_string(), "unknown state `varnishd` (did you mean `varnished`?)"),
+        (goal("Varnishd(cup)"), "unknown predicate `Varnishd` (did you mean `varnished`?)"),
+        (goal("Gleamin(cup)"), "unknown predicate `Gleamin` (did you mean `gleaming`?)"),
+        (goal("did varnsh(cup)"), "unknown verb `varnsh` after `did` (did you mean `varnish`?)"),
+        (problem("verb gild 1 | effects: enter x varnishd").to_string(), "(did you mean `varnished`?)"),
+    ] {
+        assert!(told.contains(meant), "{told}");
+    }
 }
 
 #[test]

@@ -187,12 +187,13 @@ fn read_scene_answers_as_the_format_it_looks_like() {
         (r#"{"virtualcity": 9}"#, "virtualcity scene"),
         (r#"{"nodes": 9}"#, "VirtualHome graph"),
         (r#"{"Flat": 9}"#, "thesis scene"),
-        ("", "thesis scene"),
     ] {
         assert_eq!(read_scene(text, &classes).unwrap_err().format, format);
     }
-    let error = read_scene("# A title\n", &classes).unwrap_err().to_string();
-    assert!(error.starts_with("scene: the text is no scene in any known format"), "{error}");
+    for (text, fault) in [("# A title\n", "no scene in any known format"), ("", "empty"), (" \n", "empty")] {
+        let error = read_scene(text, &classes).unwrap_err().to_string();
+        assert!(error.starts_with(&format!("scene: the text is {fault}")), "{error}");
+    }
 }
 
 #[test]
@@ -200,7 +201,12 @@ fn programs_say_the_line() {
     for (from, to, line, text) in [
         ("[WALK] <kitchen> (11)", "[WALK] <kitchen> (x)", 4, "is not of the form `[VERB] <class> (number)`"),
         ("[WALK] <kitchen> (11)", "[HOVER] <kitchen> (11)", 4, "unknown verb `HOVER`"),
-        ("[SLEEP]", "[GRAB]", 7, "`grab` takes 1 things, 0 are given"),
+        (
+            "[SLEEP]",
+            "[GRAB]",
+            7,
+            "`grab` takes one thing, none is given: write its class and number, as in `grab cup.12`",
+        ),
         ("[SLEEP]", "sleep well", 7, "`well` names no object"),
     ] {
         let error = program::read(&changed(PROGRAM, from, to)).unwrap_err();
@@ -221,7 +227,7 @@ fn eai_data_says_the_field() {
     for (from, to, field, text) in [
         ("TOUCH|PUSH", "TOUCH|FLY", "file1_1.vh_goal", "unknown verb `FLY`"),
         (r#""state": "CLOSED""#, r#""state": "AJAR""#, "file1_1.vh_goal", "unknown state `AJAR`"),
-        ("TOUCH(x0)", "TOUCH(x0, x0)", "file1_1.tl_goal", "`TOUCH` takes 1 things, 2 are given"),
+        ("TOUCH(x0)", "TOUCH(x0, x0)", "file1_1.tl_goal", "`TOUCH` takes one thing, two are given"),
     ] {
         let error = task(from, to);
         assert_eq!(error.field, field);

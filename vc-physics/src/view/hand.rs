@@ -6,8 +6,9 @@ use super::AgentView;
 use crate::AgentError;
 use crate::state::{Hand, HandGoal};
 
-/// A hand that [`guide_hand`](crate::PhysicsWorld::guide_hand) guides, as it is now. Nodes come with the number of a
-/// moving part where it is that: a drawer by its handle.
+/// A hand that [`guide_hand`](crate::PhysicsWorld::guide_hand) guides, as it is now. Nodes in `between` and `holds` come with
+/// the number of a moving part where it is that: `(fridge, Some(0))` is the first door of a fridge by its handle,
+/// `(cup, None)` a cup.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct GuidedHand {
@@ -15,7 +16,7 @@ pub struct GuidedHand {
     pub goal: HandGoal,
     /// The pose of the point between fingers and thumb in the world's frame, as in [`HandGoal::pose`].
     pub pose: Pose,
-    /// Distance of the fingers from the thumb, metres.
+    /// Distance of the fingers from the thumb, 0 to 0.1 m.
     pub opening: f32,
     /// The nodes that it touches or is about to, sorted by number.
     pub touches: Vec<NodeId>,
@@ -24,7 +25,8 @@ pub struct GuidedHand {
     pub between: Option<(NodeId, Option<usize>)>,
     /// The reason for which `grasp` would not hold that: it is too heavy, locked, or somebody sits on it.
     pub fault: Option<AgentError>,
-    /// The node that it holds.
+    /// The node that it holds: a thing, with `None`, or a moving part by its handle, with the part's number as in
+    /// [`parts`](crate::PhysicsWorld::parts).
     pub holds: Option<(NodeId, Option<usize>)>,
 }
 

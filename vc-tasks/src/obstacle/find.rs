@@ -4,6 +4,7 @@ use vc_graph::clock::ProcessTable;
 use vc_graph::goal::{Comparison, Goal, Literal, Predicate, Quantified, Situation, Term};
 use vc_graph::{Node, NodeId, Relation, SceneGraph};
 
+use super::contradiction::contradiction;
 use super::demand::demand;
 use super::size::too_large;
 use super::{BroaderClass, HANDS, Lost, Obstacle};
@@ -20,6 +21,7 @@ pub(crate) fn obstacles(goal: &Goal, graph: &SceneGraph) -> Vec<Obstacle> {
     found.extend(unknown(goal.terms(), graph).into_iter().filter(|obstacle| !is_listed(obstacle)));
     found.extend(each_once(undefined(goal)));
     found.extend(too_large(goal, graph));
+    found.extend(contradiction(goal, graph));
     found.extend(parts);
     found
 }
@@ -44,6 +46,7 @@ pub(crate) fn lost(goal: &Goal, graph: &SceneGraph) -> Option<Lost> {
     found.extend(each_once(undefined(goal)));
     found.extend(too_large(goal, graph));
     found.extend(unknown(vacuous::terms(goal), graph));
+    found.extend(contradiction(goal, graph));
     (!found.is_empty()).then_some(Lost::Meaningless(found))
 }
 

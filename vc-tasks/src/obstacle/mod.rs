@@ -1,5 +1,6 @@
 //! The reasons why a goal cannot make sense in a scene.
 
+mod contradiction;
 mod demand;
 mod find;
 mod size;
@@ -69,6 +70,14 @@ pub enum Obstacle {
         /// The number of choices.
         choices: f64,
     },
+    /// Two parts never hold at the same time: one is the negation of the other, or they ask for states of one thing that
+    /// exclude each other.
+    Contradiction {
+        /// A part of the goal.
+        part: String,
+        /// The other part.
+        other: String,
+    },
     /// An agent is to hold more at once than it has hands.
     TooManyHeld {
         /// The parts of the goal that say so.
@@ -126,6 +135,7 @@ impl fmt::Display for Obstacle {
                     "`{part}` ranges over {choices:.0e} choices of objects; let its variables range over smaller classes"
                 )
             }
+            Self::Contradiction { part, other } => write!(f, "`{part}` and `{other}` never hold at the same time"),
             Self::TooManyHeld { parts, held } => {
                 write!(f, "`{parts}` needs {held} things to be held at once, and an agent has {HANDS} hands")
             }
@@ -154,8 +164,8 @@ const HANDS: usize = Relation::hands().len();
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Lost {
-    /// The goal cannot be judged in this scene: names in it stand for nothing, a predicate is not defined, or it ranges over
-    /// too many objects. See [`Task::lost`](crate::Task::lost).
+    /// The goal cannot be judged in this scene: names in it stand for nothing, a predicate is not defined, it ranges over
+    /// too many objects, or two parts of it never hold together. See [`Task::lost`](crate::Task::lost).
     #[error("{}", .0.iter().map(Obstacle::to_string).collect::<Vec<_>>().join("; "))]
     Meaningless(Vec<Obstacle>),
     /// A part of it with words of time has been broken.

@@ -273,6 +273,33 @@ fn obstacles(goal: &str, graph: &SceneGraph) -> String {
     task.obstacles(graph).iter().map(ToString::to_string).collect::<Vec<_>>().join("; ")
 }
 
+/// Parts that never hold together are an obstacle, and the goal is lost at once; where two things can serve them it is not.
+#[test]
+fn parts_that_exclude_each_other() {
+    let one = kitchen(&["fridge", "kitchen_table", "mug"]);
+    let two = kitchen(&["fridge", "fridge", "kitchen_table", "mug"]);
+    let lost = |goal: &str, graph: &SceneGraph| vc_tasks::Task::new("t", goal.parse().unwrap()).lost(graph);
+    for (goal, of_one, of_two) in [
+        ("On(mug, kitchen_table) & !On(mug, kitchen_table)", true, true),
+        ("!On(mug, kitchen_table) & Clean(mug) & On(mug, kitchen_table)", true, true),
+        ("Open(fridge) & Closed(fridge)", true, false),
+        ("Closed(fridge.3) & Open(fridge.3)", true, true),
+        ("SittingOn(me, fridge) & LyingOn(me, mug)", true, true),
+        ("Sitting(me) & LyingOn(me, mug)", true, true),
+        ("SittingOn(me, mug) & Open(fridge)", false, false),
+        ("Open(fridge) & Clean(fridge)", false, false),
+        ("Open(fridge) & !Open(mug)", false, false),
+        ("Open(fridge) | Closed(fridge)", false, false),
+        ("eventually Open(fridge) & eventually Closed(fridge)", false, false),
+    ] {
+        for (graph, excluded) in [(&one, of_one), (&two, of_two)] {
+            let told = "never hold at the same time";
+            assert_eq!(obstacles(goal, graph).contains(told), excluded, "{goal}: {}", obstacles(goal, graph));
+            assert_eq!(lost(goal, graph).is_some_and(|lost| lost.to_string().contains(told)), excluded, "{goal}");
+        }
+    }
+}
+
 /// A kitchen with a person and things of some classes on its floor.
 fn kitchen(classes: &[&str]) -> SceneGraph {
     let mut scene = SceneBuilder::new("flat");
