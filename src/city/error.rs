@@ -53,6 +53,9 @@ pub enum CityError {
         /// The region where it was to go.
         to: RegionId,
     },
+    /// The doors of a lift open and shut with its cabin.
+    #[error("{0} opens and shuts by itself, where the cabin stands: push a button to call it")]
+    MovesByItself(Label),
     /// The agent has not ended within an hour, and was interrupted.
     #[error("{0} has not ended within an hour, and was interrupted: `give` and `step` wait longer")]
     TooLong(Label),

@@ -44,6 +44,7 @@ pub enum LiftState {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(super) struct Lift {
     /// Where its stops are, metres.
+    #[serde(skip)]
     stops: Vec<Point3<f64>>,
     state: LiftState,
     since: Tick,
@@ -56,6 +57,17 @@ impl Lift {
     pub(super) fn new(cabin: &Region) -> Self {
         let stops = cabin.stops.iter().map(|stop| stop.origin).collect();
         Self { stops, state: LiftState::Shut(0), since: Tick(0), is_upward: true, calls: BTreeSet::new() }
+    }
+
+    /// A lift that was saved, in its cabin's plan; none if it is none of that plan.
+    pub(super) fn restored(self, cabin: &Region) -> Option<Self> {
+        use LiftState::{Closing, Moving, Open, Opening, Shut};
+        let stops = match self.state {
+            Shut(at) | Opening(at) | Open(at) | Closing(at) => [at, at],
+            Moving { from, to } => [from, to],
+        };
+        let last = self.calls.iter().copied().chain(stops).max().unwrap_or_default();
+        ((last as usize) < cabin.stops.len()).then(|| Self { stops: Self::new(cabin).stops, ..self })
     }
 
     /// Calls the cabin to a stop, from outside or inside.

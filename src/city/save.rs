@@ -174,6 +174,9 @@ impl City {
                 .map_err(|why| CitySaveError::Region { region, why: Arc::new(why.into()) })?;
             journey.take_up(saved.called.get(agent).copied(), changes);
         }
+        let lift = |(region, lift): (RegionId, Lift)| Some((region, lift.restored(self.space().region(region)?)?));
+        let lifts: Option<BTreeMap<_, _>> = saved.lifts.into_iter().map(lift).collect();
+        let lifts = lifts.filter(|lifts| lifts.keys().eq(self.lifts.keys())).ok_or(CitySaveError::NotSaved)?;
         Ok(Self {
             tick: saved.tick,
             active,
@@ -181,7 +184,7 @@ impl City {
             whereabouts: saved.whereabouts,
             agents: saved.agents,
             journeys: saved.journeys,
-            lifts: saved.lifts,
+            lifts,
             endings: Vec::new(),
             ..self.clone()
         })

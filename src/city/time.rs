@@ -2,7 +2,7 @@
 
 use vc_graph::clock::{Span, Tick};
 use vc_graph::space::RegionId;
-use vc_graph::{Action, ChangeSet, NodeId};
+use vc_graph::{Action, ChangeSet, NodeId, Verb};
 
 use super::{City, CityError};
 use crate::{ActionError, Interruption};
@@ -33,17 +33,25 @@ impl CityEnding {
     }
 }
 
+fn opens_or_shuts(verb: Verb) -> bool {
+    matches!(verb, Verb::Open | Verb::Close)
+}
+
 /// An action that takes longer is given up: an hour.
 const LONGEST: Span = Span(3600 * 60);
 
 impl City {
     /// Gives an agent an action, which begins in the next tick of [`step`](Self::step), as [`Environment::give`](crate::Environment::give)
-    /// does. A walk to something in another region leads there.
+    /// does. A walk to something in another region leads there. Pushing a [button](vc_graph::space::Portal::buttons) calls
+    /// the lift; its doors open and shut by themselves only.
     ///
     /// # Errors
-    /// [`CityError::NoSuchAgent`], [`CityError::NoWay`].
+    /// [`CityError::NoSuchAgent`], [`CityError::NoWay`], [`CityError::MovesByItself`].
     pub fn give(&mut self, agent: NodeId, action: Action) -> Result<(), CityError> {
         self.environment_with(agent)?;
+        if let Some(door) = action.object.filter(|door| self.is_of_lift(*door) && opens_or_shuts(action.verb)) {
+            return Err(CityError::MovesByItself(self.label(door)));
+        }
         let region = self.elsewhere(agent, &action);
         if region.is_some() || self.is_crossing(agent) {
             return self.set_out(agent, region, Some(action));
@@ -163,11 +171,29 @@ impl City {
 
     /// An action in a region has ended: that of a journey, or one that was given.
     pub(super) fn note(&mut self, tick: Tick, agent: NodeId, action: Action, outcome: Result<ChangeSet, CityError>) {
+        if outcome.is_ok() && action.verb == Verb::Push {
+            self.push_button(agent, action.object);
+        }
         if self.journeys.contains_key(&agent) {
             self.leg_ended(agent, outcome);
         } else {
             self.endings.push(CityEnding { tick, agent, action: Some(action), outcome });
         }
+    }
+
+    /// Calls the lift of a button.
+    fn push_button(&mut self, agent: NodeId, button: Option<NodeId>) {
+        let space = self.space().clone();
+        let portal = self.region_of(agent).zip(button).and_then(|(region, button)| space.called_with(region, button));
+        let Some(portal) = portal else { return };
+        portal.sides.iter().for_each(|side| _ = self.lifts.get_mut(&side.region).map(|lift| lift.call(portal.stop)));
+    }
+
+    /// Whether a node is a door that a lift moves.
+    fn is_of_lift(&self, door: NodeId) -> bool {
+        let portals = self.region_of(door).into_iter().flat_map(|region| self.space().portals_of(region));
+        let mut leads = portals.filter_map(|portal| self.space().portal(portal)).filter(|plan| plan.leaf == Some(door));
+        leads.any(|plan| plan.sides.iter().any(|side| self.lifts.contains_key(&side.region)))
     }
 
     fn lifts_pass(&mut self) {

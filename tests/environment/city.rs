@@ -9,9 +9,10 @@ use virtualcity::graph::space::{
     Portal, PortalId, PortalKind, PortalSide, Region, RegionFrame, RegionId, RegionKind, Space, SpaceBuilder,
 };
 use virtualcity::graph::{
-    Action, Bounds, Draft, Edge, NodeId, NodeKind, Pose, Relation, SceneBuilder, SceneGraph, State,
+    Action, Bounds, Draft, Edge, NodeId, NodeKind, Pose, Relation, SceneBuilder, SceneGraph, Seed, State, Verb,
 };
 use virtualcity::nalgebra::{Point3, Vector3};
+use virtualcity::procgen::Building;
 use virtualcity::{City, CityError, CitySaveError, Environment, LiftState, RegionScenes};
 
 const STOREYS: u32 = 3;
@@ -286,6 +287,42 @@ fn a_home_alone_is_as_it_is_elsewhere() {
     let me = city.agents().last().unwrap();
     city.set_action(me, Action::walk(room)).unwrap();
     assert_eq!(city.environment(home).unwrap().graph().room_of(me), Some(room));
+}
+
+/// Buttons call the lift from outside and inside; nobody opens the door of a shaft by hand.
+#[test]
+fn buttons_call_the_lift() {
+    let building = Building::from_seed(Seed(7)).unwrap();
+    let storeys = building.storeys().to_vec();
+    let cabin = building.cabin();
+    let mut city = City::of(building).make().unwrap();
+    let me = city.agents().next().unwrap();
+    city.set_ways(me, move |plan| plan.sides.iter().all(|side| side.region != cabin));
+    city.go(me, storeys[1].gallery).unwrap();
+    assert_eq!(city.lift(cabin), Some(LiftState::Shut(0)), "it came by the stairs");
+    city.set_ways(me, |_| true);
+    for verb in [Verb::Open, Verb::Close] {
+        let error = city.give(me, Action::one(verb, storeys[1].lift_door)).unwrap_err();
+        assert!(matches!(error, CityError::MovesByItself(_)), "{error}");
+    }
+    let push = |city: &mut City, button: NodeId| {
+        city.set_action(me, Action::walk(button)).unwrap();
+        city.set_action(me, Action::one(Verb::Push, button)).unwrap();
+    };
+    let comes = |city: &mut City, stop: u32| {
+        let opens = (0..60).any(|_| {
+            city.step(Span(30));
+            city.lift(cabin) == Some(LiftState::Open(stop))
+        });
+        assert!(opens, "{stop}: {:?}", city.lift(cabin));
+    };
+    push(&mut city, storeys[1].call_button);
+    comes(&mut city, 1);
+    city.go(me, cabin).unwrap();
+    push(&mut city, storeys[2].floor_button);
+    comes(&mut city, 2);
+    city.go(me, storeys[2].gallery).unwrap();
+    assert_eq!(city.region_of(me), Some(storeys[2].gallery));
 }
 
 /// In the middle of walks, on stairs, before and in the lift, with things in hand: a restored city goes on as the saved

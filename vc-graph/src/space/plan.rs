@@ -96,6 +96,12 @@ impl Space {
         self.openings.of(id).map(PortalId)
     }
 
+    /// The portal of a region to whose stop a node calls a moving region when it is pushed.
+    pub fn called_with(&self, region: RegionId, button: NodeId) -> Option<&Portal> {
+        let mut portals = self.portals_of(region).filter_map(|id| self.portal(id));
+        portals.find(|portal| portal.buttons.contains(&button))
+    }
+
     /// A digest of the plan: of all that regions and portals say.
     pub fn digest(&self) -> Digest {
         let mut digester = Digester::new();
@@ -112,6 +118,7 @@ impl Space {
         for portal in &self.portals {
             digester.text(portal.kind.as_str()).reals([portal.width, portal.height]).word(u64::from(portal.glazed));
             digester.word(portal.leaf.map_or(u64::MAX, |leaf| u64::from(leaf.0))).word(u64::from(portal.stop));
+            digester.words(portal.buttons.iter().map(|button| u64::from(button.0)));
             digester.reals(portal.stairs.iter().flat_map(|point| point.coords.iter().copied().collect::<Vec<f32>>()));
             for side in &portal.sides {
                 let pose = side.pose.translation.vector.iter().chain(side.pose.rotation.coords.iter()).copied();

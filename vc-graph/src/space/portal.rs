@@ -83,13 +83,15 @@ pub struct Portal {
     pub stop: u32,
     /// The way over stairs to its threshold, from their foot on, in the frame of its first side; empty without stairs.
     pub stairs: Arc<[Point3<f32>]>,
+    /// The nodes that call its moving region to its stop when somebody pushes them.
+    pub buttons: Arc<[NodeId]>,
 }
 
 impl Portal {
     /// A portal of a kind between two sides, of a clear width and height in metres, without a leaf. Windows are of glass.
     pub fn new(kind: PortalKind, sides: [PortalSide; 2], width: f32, height: f32) -> Self {
         let glazed = kind == PortalKind::Window;
-        Self { kind, sides, width, height, glazed, leaf: None, stop: 0, stairs: Arc::new([]) }
+        Self { kind, sides, width, height, glazed, leaf: None, stop: 0, stairs: Arc::new([]), buttons: Arc::new([]) }
     }
 
     /// With a leaf: the node of a door or window.
@@ -102,6 +104,12 @@ impl Portal {
     #[must_use]
     pub fn at_stop(self, stop: u32) -> Self {
         Self { stop, ..self }
+    }
+
+    /// With nodes that call its moving region to its stop: a button before the door of a lift, one in the cabin.
+    #[must_use]
+    pub fn called_by(self, buttons: impl Into<Arc<[NodeId]>>) -> Self {
+        Self { buttons: buttons.into(), ..self }
     }
 
     /// As the upper end of stairs in the region of its first side: their way, from the foot to the threshold, metres.

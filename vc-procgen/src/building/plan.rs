@@ -119,16 +119,18 @@ impl Planner {
         let [west, east] = homes;
         let (west, east) = (self.home((region, gallery), west)?, self.home((region, gallery), east)?);
         let lift_door = self.node(gallery, 1 + gallery::DOOR);
+        let call_button = self.node(gallery, 1 + gallery::CALL);
+        let floor_button = self.node(cabin, 1 + cabin::BUTTONS + number);
         Ok(BuildingStorey {
             region,
             gallery,
             homes: [west.0, east.0],
             front_doors: [west.1, east.1],
             stairs: None,
-            stop: self.stop((gallery, cabin), lift_door, number)?,
+            stop: self.stop((gallery, cabin), (lift_door, [call_button, floor_button]), number)?,
             lift_door,
-            call_button: self.node(gallery, 1 + gallery::CALL),
-            floor_button: self.node(cabin, 1 + cabin::BUTTONS + number),
+            call_button,
+            floor_button,
         })
     }
 
@@ -154,13 +156,13 @@ impl Planner {
     fn stop(
         &mut self,
         (gallery, cabin): (RegionId, RegionId),
-        leaf: NodeId,
+        (leaf, buttons): (NodeId, [NodeId; 2]),
         storey: usize,
     ) -> Result<PortalId, BuildingError> {
         let here = self.side(gallery, (LIFT, DECK.y1 + SHAFT_WALL / 2.0, 0.0), FRAC_PI_2);
         let there = self.side(cabin, (0.0, CABIN_FRONT + CABIN_WALL / 2.0, 0.0), -FRAC_PI_2);
         let portal = Portal::new(PortalKind::Landing, [here, there], LIFT_DOOR.0, LIFT_DOOR.1);
-        Ok(self.builder.join(portal.with_leaf(leaf).at_stop(storey as u32))?)
+        Ok(self.builder.join(portal.with_leaf(leaf).at_stop(storey as u32).called_by(buttons))?)
     }
 
     /// The landing at the upper end of the stairs from one gallery to the next.
