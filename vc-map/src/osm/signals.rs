@@ -25,6 +25,7 @@ pub(super) fn signals(network: &mut Network<'_>, report: &mut ImportReport) -> (
     let mut lit = vehicles(network, &first, &mut ImportReport::default());
     let all_round = lit_by_crossings(network, &first, &apart);
     lit.extend(all_round.iter().copied());
+    let mut joined = Vec::new();
     for node in people {
         if first.is_junction(network, node) {
             continue;
@@ -32,7 +33,10 @@ pub(super) fn signals(network: &mut Network<'_>, report: &mut ImportReport) -> (
         let Some(found) = nearest(network, &first, node, AWAY, |_, _| true) else { continue };
         let joins = found.length < CROSSING && apart.contains(&node);
         match lit.contains(&first.of(found.node)) {
-            true if joins => _ = apart.remove(&node),
+            true if joins => {
+                apart.remove(&node);
+                joined.push((node, found.node));
+            }
             true => unlit(network, node, Guessed::CrossingOf(id(network, found.node)), report),
             false if found.length < NEAR => {
                 apart.remove(&node);
@@ -42,6 +46,12 @@ pub(super) fn signals(network: &mut Network<'_>, report: &mut ImportReport) -> (
         }
     }
     let last = clusters(network, &apart);
+    // At roundabouts and bridges a crossing stays for itself, without lights against those of the junction.
+    for (node, junction) in joined {
+        if !last.is_junction(network, node) {
+            unlit(network, node, Guessed::CrossingOf(id(network, junction)), report);
+        }
+    }
     let mut lit = vehicles(network, &last, report);
     lit.extend(all_round.into_iter().map(|node| last.of(node)));
     lit.extend(crossings(network).into_iter().map(|node| last.of(node)).filter(|head| {

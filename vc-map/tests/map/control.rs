@@ -80,6 +80,21 @@ fn lights_for_people_belong_to_a_junction_that_has_lights() {
 }
 
 #[test]
+fn a_crossing_before_a_roundabout_with_lights_has_none_against_them() {
+    let ring = [(1, 0.2, 0.0, "highway=traffic_signals"), (2, 0.0, 0.2, ""), (3, -0.2, 0.0, ""), (4, 0.0, -0.2, "")];
+    let arm = [(5, 0.35, 0.0, "highway=crossing crossing=traffic_signals"), (6, 1.0, 0.0, "")];
+    let ways: [(i64, &[i64], &str); 2] = [
+        (8, &[1, 2, 3, 4, 1], "highway=secondary junction=roundabout"),
+        (9, &[6, 5, 1], "highway=secondary sidewalk=both"),
+    ];
+    let (map, report) = import(&file(&[&ring[..], &arm].concat(), &ways, ""));
+    let lit: Vec<_> = map.signals().iter().map(|s| map.junction(s.junction).unwrap().draft.source.clone()).collect();
+    assert_eq!(lit, [[1]], "{report}");
+    assert!(report.guessed.contains(&(Element::Node(5), Guessed::CrossingOf(1))), "{report}");
+    assert!(map.crossings().iter().any(|crossing| crossing.kind == CrossingKind::Marked));
+}
+
+#[test]
 fn restrictions_hold_for_those_and_then_when_they_say() {
     let ways: [(i64, &[i64], &str); 4] = [
         (1, &[2, 1], "highway=secondary"),
