@@ -5,11 +5,15 @@ difference goes away that was its cause. A difference that goes away for no chan
 """
 
 import functools
+import math
 import re
 import xml.etree.ElementTree as ET
 
 # Two junctions are the same if they are this near, metres: each side joins nodes in its own way.
 NEAR = 45.0
+# A crossing is the last thing before the end of a street up to this distance, metres.
+END = 15.0
+STREET = r"highway\.(motorway|trunk|primary|secondary|tertiary|unclassified|residential|living_street)"
 
 # What is changed, and what it means if lights that only we have are there then. A word that ends in `=` has a value after it.
 FOR_OURS = [
@@ -84,6 +88,15 @@ class Causes:
         self.convert(with_tags(self.file) if "tags" in change else self.file, changed(self.options, change), output)
         return lit_junctions(output)
 
+    @functools.cached_property
+    def ends(self):
+        """Places of netconvert's junctions at which streets end, in its own import."""
+        root = ET.parse(self.file.with_name("own.net.xml")).getroot()
+        streets = [edge for edge in root.iter("edge") if re.search(STREET, edge.get("type", ""))]
+        meets = {edge.get(end) for edge in streets for end in ["from", "to"]}
+        dead = [j for j in root.iter("junction") if j.get("type") == "dead_end" and j.get("id") in meets]
+        return [(float(j.get("x")), float(j.get("y"))) for j in dead]
+
     def told(self, numbers):
         """A line of our account on one of some nodes that is about lights."""
         lines = [line for line in self.account if re.search(r"light|signal", line)]
@@ -100,7 +113,8 @@ class Causes:
 
             if count(self.variant(change)) > count(their):
                 return why
-        return None
+        end = min((gap(place, other) for other in self.ends), default=math.inf)
+        return f"the street ends {end:.0f} m on, at the edge: netconvert rules no dead end" if end < END else None
 
     def of_theirs(self, place, name, mine):
         own = next((numbers for _, numbers in mine if numbers & nodes(name)), None)

@@ -5,7 +5,9 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::clusters::Clusters;
 use super::network::{Network, Piece};
 use super::{Element, Guessed, ImportReport, Reason};
-use crate::{Control, CrossingDraft, JunctionDraft, JunctionId, MapDraft, Point, RoadClass, RoadDraft, RoadId, Users};
+use crate::{
+    Control, CrossingDraft, JunctionDraft, JunctionId, MapDraft, Point, RoadClass, RoadDraft, RoadId, TurnBan, Users,
+};
 
 /// A crossing lies on the arm whose road leaves the junction over its node, at most this far from the node, metres.
 const ON_ARM: f64 = 6.0;
@@ -22,6 +24,7 @@ pub(super) fn emit(
         emitter.road(piece, lit, report);
     }
     emitter.crossings();
+    emitter.barriers();
     emitter.edges(report);
 }
 
@@ -117,6 +120,20 @@ impl Emitter<'_> {
         let source = self.draft.junctions[junction.index()].source.first();
         let head = source.and_then(|id| self.network.source.node(*id)).map(|node| self.clusters.of(node as u32));
         head.and_then(|head| self.roads.get(&head)).map_or(0, Vec::len)
+    }
+
+    /// Bollards and their like: cars and buses turn back there. Within a junction they stand between nobody knows which arms.
+    fn barriers(&mut self) {
+        for (node, _) in self.network.marks.iter().filter(|(_, marks)| marks.closed) {
+            let alone = self.clusters.nodes(*node).len() == 1;
+            let street = |road: &&RoadId| self.draft.roads[road.index()].class.is_street();
+            let roads: Vec<RoadId> = self.roads.get(node).into_iter().flatten().filter(street).copied().collect();
+            if let ([one, other], Some(at), true) = (&roads[..], self.ids.get(node), alone) {
+                for (from, to) in [(*one, *other), (*other, *one)] {
+                    self.draft.bans.push(TurnBan { from, at: *at, to, users: Users::CAR | Users::BUS });
+                }
+            }
+        }
     }
 
     /// The crossings at nodes of clusters: each over the street that leaves nearest to it.

@@ -6,7 +6,7 @@ use super::legend::{
 };
 use super::{Colour, Drawing, Paint, Shape, marks};
 use crate::parts::{Lane, Road};
-use crate::{AreaKind, Point, RoadClass, RoadId, StreetMap, StripKind, Structure, Users, WalkKind};
+use crate::{AreaKind, Point, RoadClass, RoadDraft, RoadId, StreetMap, StripKind, Structure, Users, WalkKind};
 
 /// The width at which the corners of pavements are drawn, metres.
 const CORNER: f64 = 2.0;
@@ -17,10 +17,9 @@ pub(super) fn draw(map: &StreetMap, drawing: &mut Drawing) {
     roads.sort_by_key(|index| (map.roads()[*index].draft.layer, *index));
     let below = roads.iter().filter(|index| map.roads()[**index].draft.layer < 0);
     below.for_each(|index| road(map, drawing, RoadId::of(*index)));
+    corners(map, drawing, |layer| layer < 0);
     buildings(map, drawing);
-    for edge in map.walk_edges().iter().filter(|edge| matches!(edge.kind, WalkKind::Corner(_))) {
-        drawing.line(PAVEMENT, CORNER, edge.line.points());
-    }
+    corners(map, drawing, |layer| layer >= 0);
     let mut layer = None;
     let above: Vec<usize> = roads.iter().copied().filter(|index| map.roads()[*index].draft.layer >= 0).collect();
     for (position, index) in above.iter().enumerate() {
@@ -39,6 +38,19 @@ pub(super) fn draw(map: &StreetMap, drawing: &mut Drawing) {
     marks::signals(map, drawing);
     points(map, drawing);
     marks::names(map, drawing);
+}
+
+/// The corners of junctions whose highest way lies on some layers, like paths where only paths meet.
+fn corners(map: &StreetMap, drawing: &mut Drawing, on: impl Fn(i8) -> bool) {
+    for edge in map.walk_edges() {
+        let WalkKind::Corner(id) = edge.kind else { continue };
+        let arms = map.junction(id).into_iter().flat_map(|junction| &junction.arms);
+        let roads: Vec<&RoadDraft> = arms.filter_map(|arm| map.road(arm.road)).map(|road| &road.draft).collect();
+        if roads.iter().map(|road| road.layer).max().is_some_and(&on) {
+            let street = roads.iter().any(|road| road.class.is_street());
+            drawing.line(if street { PAVEMENT } else { PATH }, CORNER, edge.line.points());
+        }
+    }
 }
 
 fn ring(points: &[[f64; 2]]) -> Vec<Point> {

@@ -95,6 +95,22 @@ fn a_crossing_before_a_roundabout_with_lights_has_none_against_them() {
 }
 
 #[test]
+fn bollards_stop_cars_and_let_bicycles_through() {
+    let through = |tags: &str| {
+        let nodes = [(1, 0.0, 0.0, tags), (2, 1.0, 0.0, ""), (3, -1.0, 0.0, "")];
+        let (map, report) = import(&file(&nodes, &[(9, &[2, 1, 3], "highway=residential sidewalk=both")], ""));
+        assert_eq!(map.validate().iter().filter(|v| v.kind() == "lane without a way on").count(), 0, "{report}");
+        let on = map.movements().iter().filter(|m| m.turn == Turn::Through);
+        on.fold(Users::NONE, |all, movement| all | movement.users)
+    };
+    assert_eq!(through("barrier=bollard"), Users::BICYCLE);
+    assert_eq!(through("barrier=block bicycle=yes"), Users::BICYCLE);
+    // Nothing cuts the street: no junction, no movement.
+    assert_eq!(through("barrier=bollard motor_vehicle=yes"), Users::NONE);
+    assert_eq!(through("barrier=gate"), Users::NONE);
+}
+
+#[test]
 fn restrictions_hold_for_those_and_then_when_they_say() {
     let ways: [(i64, &[i64], &str); 4] = [
         (1, &[2, 1], "highway=secondary"),
