@@ -5,8 +5,8 @@ use super::legend::{
     WALL, WATER,
 };
 use super::{Colour, Drawing, Paint, Shape, marks};
-use crate::parts::{Lane, Road};
-use crate::{AreaKind, Point, RoadClass, RoadDraft, RoadId, StreetMap, StripKind, Structure, Users, WalkKind};
+use crate::parts::{Lane, Movement, Road};
+use crate::{AreaKind, LaneId, Point, RoadClass, RoadDraft, RoadId, StreetMap, StripKind, Structure, Users, WalkKind};
 
 /// The width at which the corners of pavements are drawn, metres.
 const CORNER: f64 = 2.0;
@@ -27,9 +27,7 @@ pub(super) fn draw(map: &StreetMap, drawing: &mut Drawing) {
         let this = map.roads()[*index].draft.layer;
         let last = above.get(position + 1).is_none_or(|next| map.roads()[*next].draft.layer != this);
         if last && layer != Some(this) {
-            if this == 0 {
-                junctions(map, drawing);
-            }
+            junctions(map, drawing, this);
             marks::roads(map, drawing, this);
             layer = Some(this);
         }
@@ -130,12 +128,14 @@ fn colour(road: &Road, lane: &Lane) -> Option<Colour> {
     }
 }
 
-/// The surfaces of junctions at which streets meet: a disc under each and the ways over it.
-fn junctions(map: &StreetMap, drawing: &mut Drawing) {
-    for movement in map.movements().iter().filter(|movement| movement.users.any(Users::CAR | Users::BUS)) {
-        let lane = map.lane(movement.from).filter(|lane| map.road(lane.road).is_some_and(|road| road.draft.layer == 0));
-        if let Some(lane) = lane {
-            let paint = Paint::Line { colour: ROAD, width: lane.width + 0.4, dash: None, round: true };
+/// The surfaces of junctions whose highest way lies on a layer: the ways over them, rails on top.
+fn junctions(map: &StreetMap, drawing: &mut Drawing, layer: i8) {
+    let level = |id: LaneId| map.lane(id).and_then(|lane| map.road(lane.road)).map(|road| road.draft.layer);
+    let here = |movement: &&Movement| level(movement.from).max(level(movement.to)) == Some(layer);
+    for (users, colour, edge) in [(Users::CAR | Users::BUS, ROAD, 0.4), (Users::TRAM, RAIL, 0.0)] {
+        for movement in map.movements().iter().filter(here).filter(|movement| movement.users.any(users)) {
+            let width = map.lane(movement.from).map_or(0.0, |lane| lane.width) + edge;
+            let paint = Paint::Line { colour, width, dash: None, round: true };
             drawing.shapes.push(Shape { paths: vec![movement.line.points().to_vec()], paint });
         }
     }

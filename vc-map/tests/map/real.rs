@@ -14,7 +14,7 @@ type Extract = (&'static str, DrivingSide, f64);
 const EXTRACTS: [Extract; 3] = [
     ("munich_altstadt", DrivingSide::Right, 5.995),
     ("midtown", DrivingSide::Right, 14.403),
-    ("leeds_cycleway", DrivingSide::Left, 8.110),
+    ("leeds_cycleway", DrivingSide::Left, 8.222),
 ];
 
 fn extracts() -> Vec<(StreetMap, ImportReport, Extract, Option<[f64; 2]>)> {
