@@ -24,7 +24,7 @@ pub(super) fn emit(
         emitter.road(piece, lit, report);
     }
     emitter.crossings();
-    emitter.barriers();
+    emitter.barriers(report);
     emitter.edges(report);
 }
 
@@ -122,15 +122,23 @@ impl Emitter<'_> {
         head.and_then(|head| self.roads.get(&head)).map_or(0, Vec::len)
     }
 
-    /// Bollards and their like: cars and buses turn back there. Within a junction they stand between nobody knows which arms.
-    fn barriers(&mut self) {
+    /// Bollards and their like: cars and buses turn back there. Where several streets meet nobody knows between which they stand.
+    fn barriers(&mut self, report: &mut ImportReport) {
         for (node, _) in self.network.marks.iter().filter(|(_, marks)| marks.closed) {
-            let alone = self.clusters.nodes(*node).len() == 1;
+            let head = self.clusters.of(*node);
             let street = |road: &&RoadId| self.draft.roads[road.index()].class.is_street();
-            let roads: Vec<RoadId> = self.roads.get(node).into_iter().flatten().filter(street).copied().collect();
-            if let ([one, other], Some(at), true) = (&roads[..], self.ids.get(node), alone) {
-                for (from, to) in [(*one, *other), (*other, *one)] {
-                    self.draft.bans.push(TurnBan { from, at: *at, to, users: Users::CAR | Users::BUS });
+            let roads: Vec<RoadId> = self.roads.get(&head).into_iter().flatten().filter(street).copied().collect();
+            let Some(at) = self.ids.get(&head).copied() else { continue };
+            match (&roads[..], self.clusters.nodes(*node).len()) {
+                ([one, other], 1) => {
+                    let turns = [(*one, *other), (*other, *one)];
+                    let ban = |(from, to)| TurnBan { from, at, to, users: Users::CAR | Users::BUS };
+                    self.draft.bans.extend(turns.map(ban));
+                }
+                ([] | [_], 1) => {}
+                _ => {
+                    let id = self.network.source.nodes[*node as usize].id;
+                    report.drop(Element::Node(id), Reason::WithinJunction);
                 }
             }
         }

@@ -108,6 +108,12 @@ fn bollards_stop_cars_and_let_bicycles_through() {
     // Nothing cuts the street: no junction, no movement.
     assert_eq!(through("barrier=bollard motor_vehicle=yes"), Users::NONE);
     assert_eq!(through("barrier=gate"), Users::NONE);
+    let mut nodes = CROSS.to_vec();
+    nodes[0].3 = "barrier=bollard";
+    let ways: [(i64, &[i64], &str); 2] =
+        [(8, &[2, 1, 4], "highway=residential"), (9, &[3, 1, 5], "highway=residential")];
+    let (map, report) = import(&file(&nodes, &ways, ""));
+    assert!(map.draft().bans.is_empty() && report.dropped.contains(&(Element::Node(1), Reason::WithinJunction)));
 }
 
 #[test]
