@@ -6,14 +6,16 @@
     python benches/peers/maps.py FILE.osm ...      # any other files
     python benches/peers/maps.py --drive           # an hour of random trips on each as well
 
-For each file it prints the length of lanes for through traffic and the number of junctions with lights here and in
-netconvert's own import, explains each junction that only one of the two has, and lets netconvert make networks of our
-plain XML and of our OpenDRIVE. It fails if netconvert reports an error, or a warning of a kind that is not on the list
-below. Without `eclipse-sumo` it says so and ends well.
+For each file it prints the length of the lanes of through traffic that cars or buses may use, and the number of junctions with
+lights, here and in netconvert's own import. map_lights.py finds the cause of each junction with lights that only one of the two
+has. Then netconvert makes networks of our plain XML and of our OpenDRIVE. It fails if lengths differ by more than 5 %, if a
+difference has no cause, if netconvert reports an error, or a warning of a kind that is not on the list below. Without
+`eclipse-sumo` it says so and ends well.
 """
 
 import gzip
 import json
+import math
 import os
 import pathlib
 import re
@@ -22,6 +24,8 @@ import sys
 import tempfile
 import xml.etree.ElementTree as ET
 
+import map_lights
+
 PROJECT = pathlib.Path(__file__).resolve().parents[2]
 TARGET = pathlib.Path(os.environ.get("CARGO_TARGET_DIR", PROJECT / "target"))
 EXAMPLE = TARGET / "release" / "examples" / "map"
@@ -29,10 +33,12 @@ IMPORT = (
     "--geometry.remove --ramps.guess --junctions.join --tls.guess-signals --tls.discard-simple --tls.join "
     "--sidewalks.guess --crossings.guess"
 ).split()
-# Classes whose lanes netconvert's map of types opens to all cars.
+# Classes of through traffic, in our words and in those of OpenStreetMap.
 THROUGH = {"motorway", "trunk", "primary", "secondary", "tertiary", "minor", "residential", "living"}
-# Two junctions are the same if they are this near, metres: each side joins nodes in its own way.
-NEAR = 45.0
+THROUGH |= {"unclassified", "living_street", "road"}
+DRIVEN = {"passenger", "bus"}
+# Seconds between random trips in an hour of driving: 450 and 900 of them.
+PERIODS = [8, 4]
 
 # Kinds of warnings that may come, each with its reason.
 FINE = {
@@ -77,26 +83,32 @@ def unknown(lines):
     return [line for line in told if not any(re.search(kind, line) for kind in FINE)]
 
 
-def is_for_cars(lane):
+def is_driven(lane):
+    """Whether cars or buses may use a lane of a network in SUMO's form."""
     allow, disallow = lane.get("allow"), lane.get("disallow")
     if allow is not None:
-        return "passenger" in allow.split()
-    return disallow is None or not {"passenger", "all"} & set(disallow.split())
+        return bool(DRIVEN & set(allow.split()))
+    closed = set((disallow or "").split())
+    return "all" not in closed and not DRIVEN <= closed
 
 
 def theirs(network):
-    """Metres of lanes for cars, and places of junctions with lights, of a network in SUMO's form."""
+    """Metres of lanes for through traffic of a network in SUMO's form, and its frame."""
     root = ET.parse(network).getroot()
-    edges = [edge for edge in root.iter("edge") if edge.get("function") is None]
-    metres = sum(float(lane.get("length")) for edge in edges for lane in edge.iter("lane") if is_for_cars(lane))
-    lit = [j for j in root.iter("junction") if j.get("type", "").startswith("traffic_light")]
+    edges = [edge for edge in root.iter("edge") if edge.get("function") is None and is_through(edge.get("type", ""))]
+    metres = sum(float(lane.get("length")) for edge in edges for lane in edge.iter("lane") if is_driven(lane))
     offset = [float(value) for value in root.find("location").get("netOffset").split(",")]
-    projection = root.find("location").get("projParameter")
-    return metres, [(float(j.get("x")), float(j.get("y"))) for j in lit], offset, projection
+    return metres, offset, root.find("location").get("projParameter")
+
+
+def is_through(kind):
+    """Whether an edge's type has a class of through traffic: `highway.primary_link|railway.tram` has."""
+    words = [word.removeprefix("highway.").removesuffix("_link") for word in kind.split("|")]
+    return bool(THROUGH & set(words))
 
 
 def ours(folder, name):
-    """Metres of lanes for through traffic, and longitude and latitude of junctions with lights with their arms."""
+    """Metres of lanes for through traffic, and longitude and latitude of junctions with lights with their nodes."""
     features = json.loads((folder / f"{name}.geojson").read_text())["features"]
     lit, metres = [], 0.0
     for feature in features:
@@ -104,14 +116,11 @@ def ours(folder, name):
         if p["kind"] == "lane" and p["class"] in THROUGH and {"car", "bus"} & set(p["users"]):
             metres += length(points)
         elif p["kind"] == "junction" and p["control"] == "signals":
-            streets = p["streets"]
-            lit.append((points, streets))
+            lit.append((points, set(p["source"])))
     return metres, lit
 
 
 def length(points):
-    import math
-
     total = 0.0
     for (a, b), (c, d) in zip(points, points[1:]):
         x, y = (c - a) * math.cos(math.radians(b)) * 111_319.5, (d - b) * 111_132.0
@@ -119,33 +128,8 @@ def length(points):
     return total
 
 
-def explain(mine, their):
-    """A line for each junction with lights that only one side has; places are metres in one frame."""
-    def near(a, others):
-        return any((a[0] - b[0]) ** 2 + (a[1] - b[1]) ** 2 < NEAR**2 for b in others)
-
-    lines = []
-    for place, streets in mine:
-        if not near(place, their):
-            why = (
-                "a crossing with lights between junctions, or lights whose junction lies beyond the edge: --tls.discard-simple"
-                if streets <= 2
-                else "lights at nodes that netconvert gives no connections to rule"
-            )
-            lines.append(f"    only here, {place[0]:.0f} {place[1]:.0f}: {why}")
-    joined = len([1 for place, _ in mine if near(place, their)])
-    for place in their:
-        if not near(place, [p for p, _ in mine]):
-            lines.append(f"    only there, {place[0]:.0f} {place[1]:.0f}: netconvert guesses lights that are not mapped at the junction")
-    if joined != len(their):
-        lines.append(f"    {joined} of ours lie at {len(their)} of theirs: nodes that one side joins and the other does not")
-    return lines
-
-
 def frame(projection):
-    """From longitude and latitude to the metres of SUMO's frame, by its own library."""
-    import math
-
+    """From longitude and latitude to the metres of SUMO's frame, a UTM zone."""
     zone = int(re.search(r"zone=(\d+)", projection).group(1))
     centre = math.radians(zone * 6 - 183)
     a, f, k = 6378137.0, 1 / 298.257223563, 0.9996
@@ -168,18 +152,56 @@ def frame(projection):
     return project
 
 
-def drive(home, folder, network):
-    """An hour of random trips: vehicles that ended, teleports by reason, and those that still wait."""
-    tools = home / "tools"
-    trips = [sys.executable, tools / "randomTrips.py", "-n", network, "-o", "trips.xml", "-e", "3600", "-p", "4"]
-    status, lines = run([*trips, "--validate", "--fringe-factor", "10", "--seed", "1"], folder)
+def drive(home, folder, network, period):
+    """An hour of random trips: vehicles that ended, teleports by reason, and the places of the first ones."""
+    trips = [sys.executable, home / "tools" / "randomTrips.py", "-n", network, "-o", "trips.xml", "-e", "3600", "-p", period]
+    routes = ["-r", "routes.rou.xml", "--validate", "--fringe-factor", "10", "--seed", "1"]
+    status, lines = run([*trips, *routes], folder)
     if status:
         return [f"    randomTrips failed: {lines[-1]}"]
-    command = [home / "bin" / "sumo", "-n", network, "-r", "routes.rou.xml" if (folder / "routes.rou.xml").exists() else "trips.xml"]
-    status, lines = run([*command, "--end", "7200", "--no-step-log", "--duration-log.statistics", "--no-warnings", "false"], folder)
-    teleports = [line for line in lines if "Teleporting" in line]
+    command = [home / "bin" / "sumo", "-n", network, "-r", "routes.rou.xml", "--end", "7200", "--no-step-log"]
+    _, lines = run([*command, "--duration-log.statistics"], folder)
     kept = [line for line in lines if re.match(r"(Inserted|Running|Waiting|Teleports)", line)]
-    return [f"    {line}" for line in kept + teleports[:20]]
+    teleports = [line for line in lines if "Teleporting" in line]
+    more = [f"... and {len(teleports) - 20} more"] if len(teleports) > 20 else []
+    return [f"    {line}" for line in [*kept, *teleports[:20], *more]]
+
+
+def compare(home, folder, plain, name):
+    """Lengths and lights here and in netconvert's own import; complaints."""
+    left = ["--lefthand"] if "lefthand" in (folder / f"{name}.netccfg").read_text() else []
+
+    def convert(file, options, output):
+        return run([home / "bin" / "netconvert", "--osm-files", file, *options, *left, "-o", output], folder)
+
+    convert(plain, IMPORT, "own.net.xml")
+    metres, offset, projection = theirs(folder / "own.net.xml")
+    here, lit = ours(folder, name)
+    project = frame(projection)
+    mine = [(tuple(value + shift for value, shift in zip(project(*place), offset)), nodes) for place, nodes in lit]
+    their = map_lights.lit_junctions(folder / "own.net.xml")
+    print(f"{name}: lanes {here:.0f} m here, {metres:.0f} m there ({100 * here / metres - 100:+.1f} %);", end=" ")
+    print(f"lights at {len(mine)} junctions here, {len(their)} there", flush=True)
+    account = (folder / f"{name}.report.txt").read_text().splitlines()
+    lines, unexplained = map_lights.Causes(plain, IMPORT, convert, account).explain(mine, their)
+    print(*lines, sep="\n", flush=True)
+    wrong = [] if abs(here / metres - 1) <= 0.05 else [f"{name}: lanes differ by more than 5 %"]
+    return wrong + [f"{name}: lights at {unexplained} junctions differ without a cause"] * bool(unexplained)
+
+
+def accept(home, folder, name):
+    """Networks of our files; complaints."""
+    wrong = []
+    for what, command in [
+        ("plain XML", ["-c", f"{name}.netccfg"]),
+        ("OpenDRIVE", ["--opendrive-files", f"{name}.xodr", "-o", "xodr.net.xml"]),
+    ]:
+        status, lines = run([home / "bin" / "netconvert", *command], folder)
+        bad = unknown(lines) + ([f"status {status}"] if status else [])
+        warnings = sum(line.startswith("Warning") for line in lines)
+        print(f"    netconvert on our {what}: {'accepted' if not status else 'refused'}, {warnings} lines of warnings", flush=True)
+        wrong += [f"{name}, {what}: {line}" for line in bad]
+    return wrong
 
 
 def check(home, file, folder, driving):
@@ -189,32 +211,12 @@ def check(home, file, folder, driving):
     status, lines = run([EXAMPLE, plain, "--out", folder, "--scale", "0.5"], folder)
     if status:
         return [f"{name}: the example failed: {lines[-1]}"]
-    left = "lefthand" in (folder / f"{name}.netccfg").read_text()
-    netconvert = home / "bin" / "netconvert"
-    own = ["--osm-files", plain, *IMPORT, "-o", "own.net.xml", *(["--lefthand"] if left else [])]
-    run([netconvert, *own], folder)
-    metres, lit, offset, projection = theirs(folder / "own.net.xml")
-    here, mine = ours(folder, name)
-    project = frame(projection)
-    at = lambda place: tuple(value + shift for value, shift in zip(project(*place), offset))
-    print(f"{name}: lanes {here:.0f} m here, {metres:.0f} m there ({100 * here / metres - 100:+.1f} %);", end=" ")
-    print(f"lights at {len(mine)} junctions here, {len(lit)} there", flush=True)
-    for line in explain([(at(place), streets) for place, streets in mine], lit):
-        print(line)
-    wrong = [] if abs(here / metres - 1) <= 0.05 else [f"{name}: lanes differ by more than 5 %"]
-    for what, command in [
-        ("plain XML", ["-c", f"{name}.netccfg"]),
-        ("OpenDRIVE", ["--opendrive-files", f"{name}.xodr", "-o", "xodr.net.xml"]),
-    ]:
-        status, lines = run([netconvert, *command], folder)
-        bad = unknown(lines) + ([f"status {status}"] if status else [])
-        warnings = sum(line.startswith("Warning") for line in lines)
-        print(f"    netconvert on our {what}: {'accepted' if not status else 'refused'}, {warnings} lines of warnings", flush=True)
-        wrong += [f"{name}, {what}: {line}" for line in bad]
-    if driving:
-        print("  an hour of random trips on our plain XML", *drive(home, folder, f"{name}.net.xml"), sep="\n", flush=True)
-        own = [line for line in drive(home, folder, "own.net.xml") if "Teleporting" not in line]
-        print("  the same on netconvert's own import", *own, sep="\n", flush=True)
+    wrong = compare(home, folder, plain, name) + accept(home, folder, name)
+    for period in PERIODS if driving else []:
+        print(f"  {3600 // period} random trips in an hour on our plain XML", flush=True)
+        print(*drive(home, folder, f"{name}.net.xml", period), sep="\n", flush=True)
+        print("  the same on netconvert's own import", flush=True)
+        print(*[line for line in drive(home, folder, "own.net.xml", period) if "Teleporting" not in line], sep="\n", flush=True)
     return wrong
 
 

@@ -129,9 +129,13 @@ impl Crossroads<'_> {
             .collect()
     }
 
-    /// Whether vehicles can only go back: no other arm leads on for them, whatever paths may.
+    /// Whether vehicles can only go back: no other arm leads on for them, whatever paths may, or none that is
+    /// allowed.
     fn is_dead_end(&self, from: usize) -> bool {
-        let leads = |arm: &Arm| !self.ways(arm, false, Users::CAR | Users::BUS).is_empty();
+        let vehicles = Users::CAR | Users::BUS;
+        let own = self.junction.arms[from].road;
+        let leads =
+            |arm: &Arm| !self.ways(arm, false, vehicles).is_empty() && !self.banned(own, arm.road).has(vehicles);
         let others = self.junction.arms.iter().enumerate().filter(|(arm, _)| *arm != from);
         self.junction.draft.control != crate::Control::Edge && !others.map(|(_, arm)| arm).any(leads)
     }

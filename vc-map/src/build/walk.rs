@@ -109,10 +109,10 @@ impl Walk<'_> {
         let (corners, mut over): (Vec<Pair>, Vec<Pair>) = pairs.into_iter().partition(|pair| pair.over.is_empty());
         let ends = |pair: &Pair| (pair.ends[0].min(pair.ends[1]), pair.ends[0].max(pair.ends[1]));
         let round: BTreeSet<_> = corners.iter().map(ends).collect();
+        // Those that the map has come first: where it has one, none is guessed between two roads, or beside it.
+        over.sort_by_key(|pair| self.rule.given(&at, &pair.over).is_none());
         let mut joined = BTreeSet::new();
         over.retain(|pair| joined.insert(ends(pair)));
-        // Those that the map has come first: where it has one, none is guessed between two roads.
-        over.sort_by_key(|pair| self.rule.given(&at, &pair.over).is_none());
         for pair in over {
             let known = self.rule.given(&at, &pair.over);
             // Around a dead end one walks along its edge.

@@ -67,7 +67,7 @@ fn junctions<'a>(map: &'a StreetMap, frame: &'a Frame) -> impl Iterator<Item = V
         .map(move |(id, junction)| {
             let properties = json!({
                 "kind": "junction", "id": id, "control": junction.draft.control, "arms": junction.arms.len(), "streets": streets(map, junction),
-                "movements": junction.movements.len(),
+                "movements": junction.movements.len(), "source": junction.draft.source,
             });
             feature("Point", json!(place(frame, &junction.at)), properties)
         })

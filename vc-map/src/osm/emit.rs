@@ -5,7 +5,9 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::clusters::Clusters;
 use super::network::{Network, Piece};
 use super::{Element, Guessed, ImportReport, Reason};
-use crate::{Control, CrossingDraft, JunctionDraft, JunctionId, MapDraft, Point, RoadClass, RoadDraft, RoadId, Users};
+use crate::{
+    Control, CrossingDraft, JunctionDraft, JunctionId, MapDraft, Point, RoadClass, RoadDraft, RoadId, TurnBan, Users,
+};
 
 /// A crossing lies on the arm whose road leaves the junction over its node, at most this far from the node, metres.
 const ON_ARM: f64 = 6.0;
@@ -22,6 +24,7 @@ pub(super) fn emit(
         emitter.road(piece, lit, report);
     }
     emitter.crossings();
+    emitter.barriers(report);
     emitter.edges(report);
 }
 
@@ -117,6 +120,28 @@ impl Emitter<'_> {
         let source = self.draft.junctions[junction.index()].source.first();
         let head = source.and_then(|id| self.network.source.node(*id)).map(|node| self.clusters.of(node as u32));
         head.and_then(|head| self.roads.get(&head)).map_or(0, Vec::len)
+    }
+
+    /// Bollards and their like: cars and buses turn back there. Where several streets meet nobody knows between which they stand.
+    fn barriers(&mut self, report: &mut ImportReport) {
+        for (node, _) in self.network.marks.iter().filter(|(_, marks)| marks.closed) {
+            let head = self.clusters.of(*node);
+            let street = |road: &&RoadId| self.draft.roads[road.index()].class.is_street();
+            let roads: Vec<RoadId> = self.roads.get(&head).into_iter().flatten().filter(street).copied().collect();
+            let Some(at) = self.ids.get(&head).copied() else { continue };
+            match (&roads[..], self.clusters.nodes(*node).len()) {
+                ([one, other], 1) => {
+                    let turns = [(*one, *other), (*other, *one)];
+                    let ban = |(from, to)| TurnBan { from, at, to, users: Users::CAR | Users::BUS };
+                    self.draft.bans.extend(turns.map(ban));
+                }
+                ([] | [_], 1) => {}
+                _ => {
+                    let id = self.network.source.nodes[*node as usize].id;
+                    report.drop(Element::Node(id), Reason::WithinJunction);
+                }
+            }
+        }
     }
 
     /// The crossings at nodes of clusters: each over the street that leaves nearest to it.

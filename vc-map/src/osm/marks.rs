@@ -16,12 +16,14 @@ pub(super) struct Marks {
     pub(super) island: bool,
     /// A junction at which everybody stops.
     pub(super) all_stop: bool,
+    /// Whether something stands in the way of vehicles with more than two wheels.
+    pub(super) closed: bool,
 }
 
 impl Marks {
     /// Whether a street is cut here.
     pub(super) fn cuts(&self) -> bool {
-        self.crossing.is_some() || self.signals
+        self.crossing.is_some() || self.signals || self.closed
     }
 }
 
@@ -64,8 +66,9 @@ fn vehicles(marks: &mut Marks, tags: Tags<'_>, reversed: bool) {
         marks.signals = true;
     }
     marks.all_stop |= tags.is("stop", "all");
-    // Asked for, so that it is listed: cars drive through.
-    tags.has("barrier");
+    let stands = tags.is("barrier", "bollard|block|cycle_barrier|motorcycle_barrier|jersey_barrier|planter");
+    let opens = ["motorcar", "motor_vehicle", "vehicle", "access"].iter().any(|key| tags.yes(key));
+    marks.closed |= stands && !opens;
 }
 
 /// The kind of a crossing; `None` if there is none.

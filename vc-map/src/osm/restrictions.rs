@@ -19,7 +19,8 @@ const KEYS: [(&str, Users); 6] = [
 ];
 const MOTOR: Users = Users::TRAFFIC.without(Users::BICYCLE);
 
-/// Turns relations of restrictions into bans; those that hold at some times only are left out.
+/// Turns relations of restrictions into bans; those that hold at some times only are left out. Bans that
+/// are there stay.
 pub(super) fn bans(network: &Network<'_>, draft: &mut MapDraft, report: &mut ImportReport) {
     let source = network.source;
     let (junctions, roads) = (by_node(draft), by_end(draft));
@@ -47,7 +48,7 @@ pub(super) fn bans(network: &Network<'_>, draft: &mut MapDraft, report: &mut Imp
             }
         }
     }
-    draft.bans = bans.into_iter().map(|((from, at, to), users)| TurnBan { from, at, to, users }).collect();
+    draft.bans.extend(bans.into_iter().map(|((from, at, to), users)| TurnBan { from, at, to, users }));
 }
 
 /// A restriction whose members are known.

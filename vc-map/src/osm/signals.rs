@@ -25,14 +25,45 @@ pub(super) fn signals(network: &mut Network<'_>, report: &mut ImportReport) -> (
     let mut lit = vehicles(network, &first, &mut ImportReport::default());
     let all_round = lit_by_crossings(network, &first, &apart);
     lit.extend(all_round.iter().copied());
-    for node in people {
-        if first.is_junction(network, node) {
+    let joined = join(network, &first, &lit, &people, &mut apart, report);
+    let last = clusters(network, &apart);
+    // At roundabouts and bridges a crossing stays for itself, without lights against those of the junction.
+    for (node, junction) in joined {
+        if !last.is_junction(network, node) {
+            unlit(network, node, Guessed::CrossingOf(id(network, junction)), report);
+        }
+    }
+    let mut lit = vehicles(network, &last, report);
+    lit.extend(all_round.into_iter().map(|node| last.of(node)));
+    lit.extend(crossings(network).into_iter().map(|node| last.of(node)).filter(|head| {
+        // Those that joined a junction have its lights.
+        !last.is_junction(network, *head)
+    }));
+    (last, lit)
+}
+
+/// Gives crossings with lights to the junctions beside them: takes those that are to be one with a junction from `apart` and
+/// gives them back with a node of it, and makes others crossings without lights.
+fn join(
+    network: &mut Network<'_>,
+    clusters: &Clusters,
+    lit: &BTreeSet<u32>,
+    people: &[u32],
+    apart: &mut BTreeSet<u32>,
+    report: &mut ImportReport,
+) -> Vec<(u32, u32)> {
+    let mut joined = Vec::new();
+    for node in people.iter().copied() {
+        if clusters.is_junction(network, node) {
             continue;
         }
-        let Some(found) = nearest(network, &first, node, AWAY, |_, _| true) else { continue };
+        let Some(found) = nearest(network, clusters, node, AWAY, |_, _| true) else { continue };
         let joins = found.length < CROSSING && apart.contains(&node);
-        match lit.contains(&first.of(found.node)) {
-            true if joins => _ = apart.remove(&node),
+        match lit.contains(&clusters.of(found.node)) {
+            true if joins => {
+                apart.remove(&node);
+                joined.push((node, found.node));
+            }
             true => unlit(network, node, Guessed::CrossingOf(id(network, found.node)), report),
             false if found.length < NEAR => {
                 apart.remove(&node);
@@ -41,14 +72,7 @@ pub(super) fn signals(network: &mut Network<'_>, report: &mut ImportReport) -> (
             false => {}
         }
     }
-    let last = clusters(network, &apart);
-    let mut lit = vehicles(network, &last, report);
-    lit.extend(all_round.into_iter().map(|node| last.of(node)));
-    lit.extend(crossings(network).into_iter().map(|node| last.of(node)).filter(|head| {
-        // Those that joined a junction have its lights.
-        !last.is_junction(network, *head)
-    }));
-    (last, lit)
+    joined
 }
 
 /// Nodes with lights for people at which no streets meet.

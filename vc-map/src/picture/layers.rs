@@ -5,8 +5,8 @@ use super::legend::{
     WALL, WATER,
 };
 use super::{Colour, Drawing, Paint, Shape, marks};
-use crate::parts::{Lane, Road};
-use crate::{AreaKind, Point, RoadClass, RoadId, StreetMap, StripKind, Structure, Users, WalkKind};
+use crate::parts::{Lane, Movement, Road};
+use crate::{AreaKind, LaneId, Point, RoadClass, RoadDraft, RoadId, StreetMap, StripKind, Structure, Users, WalkKind};
 
 /// The width at which the corners of pavements are drawn, metres.
 const CORNER: f64 = 2.0;
@@ -17,10 +17,9 @@ pub(super) fn draw(map: &StreetMap, drawing: &mut Drawing) {
     roads.sort_by_key(|index| (map.roads()[*index].draft.layer, *index));
     let below = roads.iter().filter(|index| map.roads()[**index].draft.layer < 0);
     below.for_each(|index| road(map, drawing, RoadId::of(*index)));
+    corners(map, drawing, |layer| layer < 0);
     buildings(map, drawing);
-    for edge in map.walk_edges().iter().filter(|edge| matches!(edge.kind, WalkKind::Corner(_))) {
-        drawing.line(PAVEMENT, CORNER, edge.line.points());
-    }
+    corners(map, drawing, |layer| layer >= 0);
     let mut layer = None;
     let above: Vec<usize> = roads.iter().copied().filter(|index| map.roads()[*index].draft.layer >= 0).collect();
     for (position, index) in above.iter().enumerate() {
@@ -28,9 +27,7 @@ pub(super) fn draw(map: &StreetMap, drawing: &mut Drawing) {
         let this = map.roads()[*index].draft.layer;
         let last = above.get(position + 1).is_none_or(|next| map.roads()[*next].draft.layer != this);
         if last && layer != Some(this) {
-            if this == 0 {
-                junctions(map, drawing);
-            }
+            junctions(map, drawing, this);
             marks::roads(map, drawing, this);
             layer = Some(this);
         }
@@ -39,6 +36,19 @@ pub(super) fn draw(map: &StreetMap, drawing: &mut Drawing) {
     marks::signals(map, drawing);
     points(map, drawing);
     marks::names(map, drawing);
+}
+
+/// The corners of junctions whose highest way lies on some layers, like paths where only paths meet.
+fn corners(map: &StreetMap, drawing: &mut Drawing, on: impl Fn(i8) -> bool) {
+    for edge in map.walk_edges() {
+        let WalkKind::Corner(id) = edge.kind else { continue };
+        let arms = map.junction(id).into_iter().flat_map(|junction| &junction.arms);
+        let roads: Vec<&RoadDraft> = arms.filter_map(|arm| map.road(arm.road)).map(|road| &road.draft).collect();
+        if roads.iter().map(|road| road.layer).max().is_some_and(&on) {
+            let street = roads.iter().any(|road| road.class.is_street());
+            drawing.line(if street { PAVEMENT } else { PATH }, CORNER, edge.line.points());
+        }
+    }
 }
 
 fn ring(points: &[[f64; 2]]) -> Vec<Point> {
@@ -118,12 +128,14 @@ fn colour(road: &Road, lane: &Lane) -> Option<Colour> {
     }
 }
 
-/// The surfaces of junctions at which streets meet: a disc under each and the ways over it.
-fn junctions(map: &StreetMap, drawing: &mut Drawing) {
-    for movement in map.movements().iter().filter(|movement| movement.users.any(Users::CAR | Users::BUS)) {
-        let lane = map.lane(movement.from).filter(|lane| map.road(lane.road).is_some_and(|road| road.draft.layer == 0));
-        if let Some(lane) = lane {
-            let paint = Paint::Line { colour: ROAD, width: lane.width + 0.4, dash: None, round: true };
+/// The surfaces of junctions whose highest way lies on a layer: the ways over them, rails on top.
+fn junctions(map: &StreetMap, drawing: &mut Drawing, layer: i8) {
+    let level = |id: LaneId| map.lane(id).and_then(|lane| map.road(lane.road)).map(|road| road.draft.layer);
+    let here = |movement: &&Movement| level(movement.from).max(level(movement.to)) == Some(layer);
+    for (users, colour, edge) in [(Users::CAR | Users::BUS, ROAD, 0.4), (Users::TRAM, RAIL, 0.0)] {
+        for movement in map.movements().iter().filter(here).filter(|movement| movement.users.any(users)) {
+            let width = map.lane(movement.from).map_or(0.0, |lane| lane.width) + edge;
+            let paint = Paint::Line { colour, width, dash: None, round: true };
             drawing.shapes.push(Shape { paths: vec![movement.line.points().to_vec()], paint });
         }
     }

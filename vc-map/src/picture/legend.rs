@@ -25,7 +25,7 @@ pub(super) const TUNNEL: Colour = [150, 150, 156];
 
 pub(super) fn entries() -> Vec<Entry> {
     [
-        (ROAD, "carriageway"),
+        (ROAD, "road, crossings in white"),
         (TUNNEL, "tunnel"),
         (BRIDGE, "edge of a bridge"),
         (BUS, "bus lane"),

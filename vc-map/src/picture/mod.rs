@@ -15,6 +15,8 @@ mod legend;
 mod marks;
 mod svg;
 
+use std::collections::BTreeSet;
+
 use crate::{Point, StreetMap};
 
 /// Red, green and blue, sRGB.
@@ -37,6 +39,14 @@ pub enum Paint {
         /// Whether its ends are round.
         round: bool,
     },
+}
+
+impl Paint {
+    fn colour(&self) -> Colour {
+        match self {
+            Self::Fill(colour) | Self::Line { colour, .. } => *colour,
+        }
+    }
 }
 
 /// A shape of a drawing.
@@ -82,7 +92,7 @@ pub struct Drawing {
     pub shapes: Vec<Shape>,
     /// Texts over the shapes.
     pub texts: Vec<Text>,
-    /// The legend.
+    /// The legend: colours that occur, with their meaning.
     pub legend: Vec<Entry>,
     /// The name of the map.
     pub title: String,
@@ -131,6 +141,8 @@ impl Drawing {
         let near = |p: &Point| p.x >= low.x && p.y >= low.y && p.x <= high.x && p.y <= high.y;
         drawing.shapes.retain(|shape| shape.paths.iter().flatten().any(near) || crosses(&shape.paths, &bounds));
         drawing.texts.retain(|text| near(&text.at));
+        let drawn: BTreeSet<Colour> = drawing.shapes.iter().map(|shape| shape.paint.colour()).collect();
+        drawing.legend.retain(|entry| drawn.contains(&entry.colour));
         drawing
     }
 

@@ -80,6 +80,43 @@ fn lights_for_people_belong_to_a_junction_that_has_lights() {
 }
 
 #[test]
+fn a_crossing_before_a_roundabout_with_lights_has_none_against_them() {
+    let ring = [(1, 0.2, 0.0, "highway=traffic_signals"), (2, 0.0, 0.2, ""), (3, -0.2, 0.0, ""), (4, 0.0, -0.2, "")];
+    let arm = [(5, 0.35, 0.0, "highway=crossing crossing=traffic_signals"), (6, 1.0, 0.0, "")];
+    let ways: [(i64, &[i64], &str); 2] = [
+        (8, &[1, 2, 3, 4, 1], "highway=secondary junction=roundabout"),
+        (9, &[6, 5, 1], "highway=secondary sidewalk=both"),
+    ];
+    let (map, report) = import(&file(&[&ring[..], &arm].concat(), &ways, ""));
+    let lit: Vec<_> = map.signals().iter().map(|s| map.junction(s.junction).unwrap().draft.source.clone()).collect();
+    assert_eq!(lit, [[1]], "{report}");
+    assert!(report.guessed.contains(&(Element::Node(5), Guessed::CrossingOf(1))), "{report}");
+    assert!(map.crossings().iter().any(|crossing| crossing.kind == CrossingKind::Marked));
+}
+
+#[test]
+fn bollards_stop_cars_and_let_bicycles_through() {
+    let through = |tags: &str| {
+        let nodes = [(1, 0.0, 0.0, tags), (2, 1.0, 0.0, ""), (3, -1.0, 0.0, "")];
+        let (map, report) = import(&file(&nodes, &[(9, &[2, 1, 3], "highway=residential sidewalk=both")], ""));
+        assert_eq!(map.validate().iter().filter(|v| v.kind() == "lane without a way on").count(), 0, "{report}");
+        let on = map.movements().iter().filter(|m| m.turn == Turn::Through);
+        on.fold(Users::NONE, |all, movement| all | movement.users)
+    };
+    assert_eq!(through("barrier=bollard"), Users::BICYCLE);
+    assert_eq!(through("barrier=block bicycle=yes"), Users::BICYCLE);
+    // Nothing cuts the street: no junction, no movement.
+    assert_eq!(through("barrier=bollard motor_vehicle=yes"), Users::NONE);
+    assert_eq!(through("barrier=gate"), Users::NONE);
+    let mut nodes = CROSS.to_vec();
+    nodes[0].3 = "barrier=bollard";
+    let ways: [(i64, &[i64], &str); 2] =
+        [(8, &[2, 1, 4], "highway=residential"), (9, &[3, 1, 5], "highway=residential")];
+    let (map, report) = import(&file(&nodes, &ways, ""));
+    assert!(map.draft().bans.is_empty() && report.dropped.contains(&(Element::Node(1), Reason::WithinJunction)));
+}
+
+#[test]
 fn restrictions_hold_for_those_and_then_when_they_say() {
     let ways: [(i64, &[i64], &str); 4] = [
         (1, &[2, 1], "highway=secondary"),

@@ -141,3 +141,19 @@ fn streets_of_equals_give_way_to_the_right_in_sumo_and_private_ones_are_closed_t
     assert_eq!(kinds(|draft| draft.junctions[0].control = Control::Signals), (0, 8));
     assert_eq!(kinds(|draft| draft.roads[0].private = true), (1, 6));
 }
+
+#[test]
+fn nobody_waits_in_sumo_before_a_road_on_which_no_vehicle_has_room() {
+    let waits = |length: f64| {
+        let mut draft = MapDraft::new("x", 48.1, 11.6);
+        let ends = [0.0, 100.0, 100.0 + length].map(|x| draft.junction([x, 0.0], Control::Priority));
+        let section = CrossSection { forward: vec![Strip::driving(3.0, 8.3)], ..CrossSection::default() };
+        for pair in ends.windows(2) {
+            draft.road(pair[0], pair[1], RoadClass::Residential, section.clone());
+        }
+        let files = sumo::write(&draft.build().unwrap(), "x");
+        assert!(files.connections.contains(r#"from="r0" to="r1""#));
+        !files.connections.contains(r#"keepClear="false""#)
+    };
+    assert!(!waits(10.0) && waits(100.0));
+}

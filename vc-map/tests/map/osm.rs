@@ -132,6 +132,24 @@ fn roundabouts_tell_the_side_and_stay_rings() {
 }
 
 #[test]
+fn a_crossing_joins_the_paths_on_both_sides_of_a_fast_street_whichever_way_it_is_drawn() {
+    let nodes = [
+        (1, 0.0, 0.0, "highway=crossing crossing=marked"),
+        (2, 1.0, 0.0, ""),
+        (3, 0.0, 0.3, ""),
+        (4, -1.0, 0.0, ""),
+        (5, 0.0, -0.3, ""),
+    ];
+    for (street, path) in [([2, 1, 4], [3, 1, 5]), ([4, 1, 2], [3, 1, 5]), ([2, 1, 4], [5, 1, 3])] {
+        let ways: [(i64, &[i64], &str); 2] =
+            [(8, &street, "highway=trunk maxspeed=70 oneway=yes lanes=4"), (9, &path, "highway=footway")];
+        let (map, _) = import(&file(&nodes, &ways, ""));
+        assert_eq!(map.walk_parts().len(), 1, "{street:?} {path:?}");
+        assert_eq!(map.crossings().iter().map(|c| c.kind).collect::<Vec<_>>(), [CrossingKind::Marked]);
+    }
+}
+
+#[test]
 fn crossings_with_and_without_footways_lights_and_marks() {
     let nodes = [
         (1, -1.0, 0.0, ""),

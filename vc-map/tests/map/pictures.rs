@@ -17,6 +17,11 @@ fn a_drawing_has_all_parts_and_a_legend() {
     );
     let part = Drawing::within(&map, [[0.0, 0.0].into(), [100.0, 100.0].into()]);
     assert!(part.shapes.len() < drawing.shapes.len() / 4);
+    // A legend explains what is there, and no more.
+    let explains = |drawing: &Drawing, meaning: &str| drawing.legend.iter().any(|entry| entry.meaning == meaning);
+    assert!(explains(&drawing, "water") && explains(&drawing, "tram, rail"));
+    let dry = Drawing::within(&map, [[600.0, 600.0].into(), [620.0, 620.0].into()]);
+    assert!(!explains(&dry, "water"));
     assert_eq!(part.svg(2.0), Drawing::within(&map, [[0.0, 0.0].into(), [100.0, 100.0].into()]).svg(2.0));
 }
 

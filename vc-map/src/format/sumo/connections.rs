@@ -9,6 +9,10 @@ use crate::format::xml::Xml;
 use crate::parts::{Movement, RoadCrossing};
 use crate::{CrossingKind, RoadId, StreetMap, Users};
 
+/// On a road shorter than this, metres, no vehicle has room between the two junctions that netconvert makes at its ends: who
+/// kept the first one clear would wait for the second as well, and for ever where their lights take turns.
+const ROOM: f64 = 25.0;
+
 /// The edges and lanes of a movement: from, to, and the numbers of the lanes.
 pub(super) fn ends(map: &StreetMap, movement: &Movement) -> Option<[String; 4]> {
     let (road, forward, lane) = number(map, movement.from)?;
@@ -63,6 +67,9 @@ fn connection(map: &StreetMap, xml: &mut Xml, movement: &Movement) {
     let allow = classes(movement.users, private);
     if movement.users != both {
         attributes.push(("allow", &allow));
+    }
+    if map.lane(movement.to).and_then(|lane| map.road(lane.road)).is_some_and(|road| road.line.length() < ROOM) {
+        attributes.push(("keepClear", &false));
     }
     xml.tag("connection", &attributes);
 }
