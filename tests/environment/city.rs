@@ -1,5 +1,7 @@
 //! Cities: agents who go from region to region, over stairs and by lift, with what they carry.
 
+mod worlds;
+
 use std::error::Error;
 use std::f32::consts::PI;
 use std::sync::Arc;
@@ -25,6 +27,7 @@ fn landing(storey: u32) -> RegionId {
 }
 
 /// A yard, a landing on each storey with stairs to the next, and a lift.
+#[derive(Clone)]
 struct House(Arc<Space>);
 
 fn side(region: RegionId, at: [f32; 3], heading: f32) -> PortalSide {
@@ -33,24 +36,30 @@ fn side(region: RegionId, at: [f32; 3], heading: f32) -> PortalSide {
 }
 
 fn house() -> House {
+    house_of(STOREYS)
+}
+
+/// The house with so many storeys; its cabin comes after the landings.
+fn house_of(storeys: u32) -> House {
+    let cabin = RegionId(2 + storeys);
     let mut plan = SpaceBuilder::new();
     let house = Region::new(RegionKind::Building, "house").at(RegionFrame::new([4000.0, -3000.0, 60.0], 0.65));
     let house = plan.add(house).unwrap();
     plan.add(Region::new(RegionKind::Yard, "yard").within(house).with_numbers(100)).unwrap();
     let at = |x: f64, y: f64, storey: u32| RegionFrame::new([x, y, HEIGHT * f64::from(storey)], 0.0);
-    for storey in 0..STOREYS {
+    for storey in 0..storeys {
         let landing = Region::new(RegionKind::Corridor, "landing").within(house).at(at(5.0, 0.0, storey));
         plan.add(landing.with_numbers(100)).unwrap();
     }
-    let stops: Vec<RegionFrame> = (0..STOREYS).map(|storey| at(10.0, 2.5, storey)).collect();
+    let stops: Vec<RegionFrame> = (0..storeys).map(|storey| at(10.0, 2.5, storey)).collect();
     plan.add(Region::new(RegionKind::Stairwell, "cabin").within(house).moving(stops).with_numbers(100)).unwrap();
     let sides = [side(YARD, [5.0, 2.5, 0.0], 0.0), side(landing(0), [0.0, 2.5, 0.0], PI)];
     plan.join(Portal::new(PortalKind::Passage, sides, 1.0, 2.1)).unwrap();
-    for storey in 0..STOREYS {
-        let sides = [side(landing(storey), [5.0, 2.5, 0.0], 0.0), side(CABIN, [0.0, 0.0, 0.0], PI)];
+    for storey in 0..storeys {
+        let sides = [side(landing(storey), [5.0, 2.5, 0.0], 0.0), side(cabin, [0.0, 0.0, 0.0], PI)];
         plan.join(Portal::new(PortalKind::Landing, sides, 0.9, 2.1).at_stop(storey)).unwrap();
     }
-    for storey in 1..STOREYS {
+    for storey in 1..storeys {
         let top = [3.5, 4.2, HEIGHT as f32];
         let sides = [side(landing(storey - 1), top, 0.0), side(landing(storey), [3.5, 4.2, 0.0], PI)];
         let way = [Point3::new(0.6, 4.2, 0.0), Point3::new(3.4, 4.2, HEIGHT as f32)];
@@ -66,14 +75,15 @@ impl RegionScenes for House {
 
     fn scene(&self, region: RegionId) -> Result<SceneGraph, Box<dyn Error + Send + Sync>> {
         let plan = self.0.region(region).ok_or("no region")?;
-        let (middle, size) = if region == CABIN { ([0.8, 0.0], 1.6) } else { ([2.5, 2.5], 5.0) };
+        let is_cabin = !plan.stops.is_empty();
+        let (middle, size) = if is_cabin { ([0.8, 0.0], 1.6) } else { ([2.5, 2.5], 5.0) };
         let mut scene = SceneBuilder::new(&*plan.name);
         scene.numbers(plan.numbers);
         let at = |z: f32| Pose::translation(middle[0], middle[1], z);
         let room = Bounds::standing([size, size, 2.5].into());
         let room = scene.add(Draft::new("hallway").bounds(room).at(at(0.0)))?;
         scene.add_in(room, Draft::new("floor").bounds(Bounds::standing([size, size, 0.1].into())).at(at(-0.1)))?;
-        if region != CABIN {
+        if !is_cabin {
             let table = Draft::new("table").bounds(Bounds::standing([0.6, 0.6, 0.7].into()));
             let table = scene.add_in(room, table.at(Pose::translation(1.5, 1.0, 0.0)))?;
             let cup = Draft::new("cup").bounds(Bounds::standing([0.08, 0.08, 0.1].into()));
