@@ -268,7 +268,7 @@ impl City {
             return false;
         };
         let plan = self.space().portal(*portal);
-        plan.is_some_and(|plan| plan.sides.iter().any(|side| self.lifts.contains_key(&side.region)))
+        plan.is_some_and(|plan| self.lifts.at(plan).is_some())
     }
 
     /// A leg cannot be done: if somebody is in the way, it is tried again later.
@@ -295,7 +295,7 @@ impl City {
     fn approach(&self, agent: NodeId, portal: PortalId) -> Result<Option<Action>, CityError> {
         let Some((region, plan)) = self.region_of(agent).zip(self.space().portal(portal)) else { return Ok(None) };
         let (Some(feet), Some(environment)) = (self.feet(agent), self.environment(region)) else { return Ok(None) };
-        if self.lifts.contains_key(&region) {
+        if self.lifts.get(region).is_some() {
             return Ok(None);
         }
         let before = beside(plan, region);
@@ -313,15 +313,14 @@ impl City {
         let space = self.space().clone();
         let Some((from, plan)) = self.region_of(agent).zip(space.portal(portal)) else { return Ok(None) };
         let Some(into) = plan.across(from).map(|side| side.region) else { return Ok(None) };
-        let cabin = plan.sides.iter().map(|side| side.region).find(|region| self.lifts.contains_key(region));
-        if let Some(lift) = cabin.and_then(|cabin| self.lifts.get_mut(&cabin))
-            && !lift.is_open_at(plan.stop)
-        {
-            lift.call(plan.stop);
+        let lift = self.lifts.at(plan).map(|(_, lift)| lift);
+        let is_of_lift = lift.is_some();
+        if lift.is_some_and(|lift| !lift.is_open_at(plan.stop)) {
+            self.lifts.call(plan);
             return Ok(None);
         }
         self.wake(into)?;
-        let shuts = plan.leaf.is_some_and(|leaf| cabin.is_none() && !self.is_open(leaf));
+        let shuts = plan.leaf.is_some_and(|leaf| !is_of_lift && !self.is_open(leaf));
         if shuts {
             self.set_leaf(plan, true)?;
         }

@@ -1,12 +1,12 @@
 //! Lifts: cabins that move between stops, and doors that let people in and out.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use nalgebra::Point3;
 use serde::{Deserialize, Serialize};
 use vc_graph::clock::{Span, TICKS_PER_SECOND, Tick};
 use vc_graph::hash::Digester;
-use vc_graph::space::{Region, RegionFrame};
+use vc_graph::space::{Portal, Region, RegionFrame, RegionId, Space};
 
 /// The ticks in which the doors open or shut: 2.5 s.
 const DOOR: u64 = 150;
@@ -52,15 +52,82 @@ pub(super) struct Lift {
     calls: BTreeSet<u32>,
 }
 
+/// The lifts of a city. Those that nobody has called cost nothing.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Lifts {
+    all: BTreeMap<RegionId, Lift>,
+    /// The cabins of those that are not idle.
+    busy: BTreeSet<RegionId>,
+}
+
+impl Lifts {
+    /// The lifts of a plan, each at its first stop.
+    pub(super) fn new(space: &Space) -> Self {
+        let moving = space.regions().filter(|(_, region)| !region.stops.is_empty());
+        Self { all: moving.map(|(id, region)| (id, Lift::new(region))).collect(), busy: BTreeSet::new() }
+    }
+
+    /// Lifts that were saved; none if they are not those of the plan.
+    pub(super) fn restored(saved: BTreeMap<RegionId, Lift>, space: &Space) -> Option<Self> {
+        let lift = |(region, lift): (RegionId, Lift)| Some((region, lift.restored(space.region(region)?)?));
+        let all = saved.into_iter().map(lift).collect::<Option<BTreeMap<RegionId, Lift>>>()?;
+        let busy = all.iter().filter(|(_, lift)| !lift.is_idle()).map(|(region, _)| *region).collect();
+        all.keys().eq(Self::new(space).all.keys()).then_some(Self { all, busy })
+    }
+
+    /// All of them by their cabins.
+    pub(super) fn all(&self) -> &BTreeMap<RegionId, Lift> {
+        &self.all
+    }
+
+    /// The lift whose cabin is a region.
+    pub(super) fn get(&self, cabin: RegionId) -> Option<&Lift> {
+        self.all.get(&cabin)
+    }
+
+    /// The cabin on a side of a portal, and its lift.
+    pub(super) fn at(&self, portal: &Portal) -> Option<(RegionId, &Lift)> {
+        portal.sides.iter().find_map(|side| Some((side.region, self.get(side.region)?)))
+    }
+
+    /// Calls the lift of a portal to its stop, from outside or inside.
+    pub(super) fn call(&mut self, portal: &Portal) {
+        let Some((cabin, _)) = self.at(portal) else { return };
+        if let Some(lift) = self.all.get_mut(&cabin) {
+            lift.call(portal.stop);
+            self.busy.insert(cabin);
+        }
+    }
+
+    /// Whether none moves or is called.
+    pub(super) fn are_idle(&self) -> bool {
+        self.busy.is_empty()
+    }
+
+    /// Lets a tick pass; returns the cabins of those that change their state. Doors stay open while somebody is between them.
+    pub(super) fn pass(&mut self, now: Tick, is_crossed: impl Fn(RegionId) -> bool) -> Vec<RegionId> {
+        let mut changed = Vec::new();
+        for &cabin in &self.busy {
+            let Some(lift) = self.all.get_mut(&cabin) else { continue };
+            let before = lift.state;
+            lift.pass(now, is_crossed(cabin));
+            changed.extend((lift.state != before).then_some(cabin));
+        }
+        let idle = |cabin: &RegionId| self.all.get(cabin).is_none_or(Lift::is_idle);
+        self.busy.retain(|cabin| !idle(cabin));
+        changed
+    }
+}
+
 impl Lift {
     /// A lift at its first stop.
-    pub(super) fn new(cabin: &Region) -> Self {
+    fn new(cabin: &Region) -> Self {
         let stops = cabin.stops.iter().map(|stop| stop.origin).collect();
         Self { stops, state: LiftState::Shut(0), since: Tick(0), is_upward: true, calls: BTreeSet::new() }
     }
 
     /// A lift that was saved, in its cabin's plan; none if it is none of that plan.
-    pub(super) fn restored(self, cabin: &Region) -> Option<Self> {
+    fn restored(self, cabin: &Region) -> Option<Self> {
         use LiftState::{Closing, Moving, Open, Opening, Shut};
         let stops = match self.state {
             Shut(at) | Opening(at) | Open(at) | Closing(at) => [at, at],
@@ -70,8 +137,8 @@ impl Lift {
         ((last as usize) < cabin.stops.len()).then(|| Self { stops: Self::new(cabin).stops, ..self })
     }
 
-    /// Calls the cabin to a stop, from outside or inside.
-    pub(super) fn call(&mut self, stop: u32) {
+    /// Calls the cabin to a stop.
+    fn call(&mut self, stop: u32) {
         if (stop as usize) < self.stops.len() {
             self.calls.insert(stop);
         }
@@ -82,7 +149,7 @@ impl Lift {
     }
 
     /// Whether it does nothing, and nobody has called it.
-    pub(super) fn is_idle(&self) -> bool {
+    fn is_idle(&self) -> bool {
         matches!(self.state, LiftState::Shut(_)) && self.calls.is_empty()
     }
 
@@ -97,7 +164,7 @@ impl Lift {
     }
 
     /// Goes on at a tick; `is_crossed` says whether somebody is between the doors.
-    pub(super) fn pass(&mut self, now: Tick, is_crossed: bool) {
+    fn pass(&mut self, now: Tick, is_crossed: bool) {
         use LiftState::{Closing, Moving, Open, Opening, Shut};
         let passed = now.0 - self.since.0;
         let next = match self.state {

@@ -8,7 +8,7 @@ use vc_graph::space::{NumberBlock, Region, RegionId};
 use vc_graph::{Draft, NodeId, Pose, SceneBuilder};
 use vc_physics::{PhysicsWorld, ShapeCache};
 
-use super::lift::Lift;
+use super::lift::Lifts;
 use super::{City, CityError, RegionScenes, source};
 use crate::environment::{Departure, TravelError};
 use crate::{Environment, EnvironmentBuilder};
@@ -40,8 +40,7 @@ impl CityBuilder {
     /// [`CityError`].
     pub fn make(self) -> Result<City, CityError> {
         let Self { source, agents, settings } = self;
-        let lifts = source.space().regions().filter(|(_, region)| !region.stops.is_empty());
-        let lifts = lifts.map(|(id, region)| (id, Lift::new(region))).collect();
+        let lifts = Lifts::new(source.space());
         let mut city = City {
             source,
             settings,

@@ -24,8 +24,8 @@ use crate::{Environment, EnvironmentBuilder};
 
 pub use error::CityError;
 use journey::Journey;
-use lift::Lift;
 pub use lift::LiftState;
+use lift::Lifts;
 pub use make::CityBuilder;
 pub use save::CitySaveError;
 pub use source::RegionScenes;
@@ -66,7 +66,7 @@ pub struct City {
     journeys: BTreeMap<NodeId, Journey>,
     /// The portals that agents take, if not all.
     ways: BTreeMap<NodeId, Ways>,
-    lifts: BTreeMap<RegionId, Lift>,
+    lifts: Lifts,
     endings: Vec<time::CityEnding>,
 }
 
@@ -135,20 +135,19 @@ impl City {
     /// Where a region is now, in the world: the cabin of a lift moves.
     pub fn frame(&self, region: RegionId) -> Option<RegionFrame> {
         let plan = self.space().region(region)?;
-        Some(self.lifts.get(&region).map_or(plan.frame, |lift| lift.frame(plan, self.tick)))
+        Some(self.lifts.get(region).map_or(plan.frame, |lift| lift.frame(plan, self.tick)))
     }
 
     /// The state of the lift whose cabin is a region.
     pub fn lift(&self, cabin: RegionId) -> Option<LiftState> {
-        Some(self.lifts.get(&cabin)?.state())
+        Some(self.lifts.get(cabin)?.state())
     }
 
     /// Whether a portal lets people, views and sounds through now. People open and shut doors as they pass; a lift lets
     /// through where its cabin stands with open doors.
     pub fn portal(&self, portal: PortalId) -> Option<PortalState> {
         let plan = self.space().portal(portal)?;
-        let cabin = plan.sides.iter().find_map(|side| self.lifts.get(&side.region));
-        let open = match (cabin, plan.leaf) {
+        let open = match (self.lifts.at(plan).map(|(_, lift)| lift), plan.leaf) {
             (Some(lift), _) if !lift.is_open_at(plan.stop) => return Some(PortalState::CLOSED),
             (Some(_), _) => true,
             (None, None) => false,
@@ -169,7 +168,7 @@ impl City {
         }
         self.whereabouts.iter().for_each(|(node, region)| _ = hash.words([u64::from(node.0), u64::from(region.0)]));
         self.journeys.iter().for_each(|(agent, journey)| journey.feed(*agent, &mut hash));
-        self.lifts.values().for_each(|lift| lift.feed(&mut hash));
+        self.lifts.all().values().for_each(|lift| lift.feed(&mut hash));
         hash.digest()
     }
 

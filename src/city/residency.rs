@@ -58,8 +58,7 @@ impl City {
     /// Whether the doors of a lift are not shut at a region.
     fn has_open_lift(&self, region: RegionId) -> bool {
         let plans = self.space().portals_of(region).filter_map(|portal| self.space().portal(portal));
-        let mut lifts =
-            plans.filter_map(|plan| Some((plan, plan.sides.iter().find_map(|side| self.lifts.get(&side.region))?)));
+        let mut lifts = plans.filter_map(|plan| Some((plan, self.lifts.at(plan)?.1)));
         lifts.any(|(plan, lift)| lift.is_standing_open(plan.stop))
     }
 

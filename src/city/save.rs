@@ -10,7 +10,7 @@ use vc_graph::space::RegionId;
 use vc_graph::{NodeId, ObjectNames};
 
 use super::journey::Journey;
-use super::lift::Lift;
+use super::lift::{Lift, Lifts};
 use super::{City, CityError};
 use crate::Environment;
 use crate::environment::SaveError;
@@ -132,7 +132,7 @@ impl City {
             changes: changes.collect::<Result<_, serde_json::Error>>()?,
             called: called.collect(),
             journeys: self.journeys.clone(),
-            lifts: self.lifts.clone(),
+            lifts: self.lifts.all().clone(),
             regions: all.iter().map(|(region, _, is_active)| (*region, *is_active)).collect(),
         };
         let head = serde_json::to_vec(&saved)?;
@@ -174,9 +174,7 @@ impl City {
                 .map_err(|why| CitySaveError::Region { region, why: Arc::new(why.into()) })?;
             journey.take_up(saved.called.get(agent).copied(), changes);
         }
-        let lift = |(region, lift): (RegionId, Lift)| Some((region, lift.restored(self.space().region(region)?)?));
-        let lifts: Option<BTreeMap<_, _>> = saved.lifts.into_iter().map(lift).collect();
-        let lifts = lifts.filter(|lifts| lifts.keys().eq(self.lifts.keys())).ok_or(CitySaveError::NotSaved)?;
+        let lifts = Lifts::restored(saved.lifts, self.space()).ok_or(CitySaveError::NotSaved)?;
         Ok(Self {
             tick: saved.tick,
             active,

@@ -139,7 +139,7 @@ impl City {
         if whom.is_some_and(has_ended) {
             return;
         }
-        let in_transit = !self.journeys.is_empty() || self.lifts.values().any(|lift| !lift.is_idle());
+        let in_transit = !self.journeys.is_empty() || !self.lifts.are_idle();
         let alone = whom.filter(|_| !in_transit && self.busy().count() <= 1);
         let next = Tick(now.0 + 1);
         let mut to = if in_transit || (whom.is_some() && alone.is_none()) { next } else { end };
@@ -185,28 +185,20 @@ impl City {
     fn push_button(&mut self, agent: NodeId, button: Option<NodeId>) {
         let space = self.space().clone();
         let portal = self.region_of(agent).zip(button).and_then(|(region, button)| space.called_with(region, button));
-        let Some(portal) = portal else { return };
-        portal.sides.iter().for_each(|side| _ = self.lifts.get_mut(&side.region).map(|lift| lift.call(portal.stop)));
+        portal.into_iter().for_each(|portal| self.lifts.call(portal));
     }
 
     /// Whether a node is a door that a lift moves.
     fn is_of_lift(&self, door: NodeId) -> bool {
         let portals = self.region_of(door).into_iter().flat_map(|region| self.space().portals_of(region));
         let mut leads = portals.filter_map(|portal| self.space().portal(portal)).filter(|plan| plan.leaf == Some(door));
-        leads.any(|plan| plan.sides.iter().any(|side| self.lifts.contains_key(&side.region)))
+        leads.any(|plan| self.lifts.at(plan).is_some())
     }
 
     fn lifts_pass(&mut self) {
-        let now = self.tick;
-        let mut changed = Vec::new();
-        for (cabin, lift) in &mut self.lifts {
-            let is_crossed = self.journeys.values().any(|journey| journey.crosses(self.source.space(), *cabin));
-            let before = lift.state();
-            lift.pass(now, is_crossed);
-            if lift.state() != before {
-                changed.push(*cabin);
-            }
-        }
+        let (journeys, space) = (&self.journeys, self.source.space());
+        let is_crossed = |cabin| journeys.values().any(|journey| journey.crosses(space, cabin));
+        let changed = self.lifts.pass(self.tick, is_crossed);
         changed.into_iter().for_each(|cabin| self.move_lift_doors(cabin));
     }
 
@@ -214,8 +206,7 @@ impl City {
     pub(super) fn move_lift_doors(&mut self, region: RegionId) {
         let space = self.space().clone();
         for plan in space.portals_of(region).filter_map(|portal| space.portal(portal)) {
-            let lift = plan.sides.iter().find_map(|side| self.lifts.get(&side.region));
-            let Some((leaf, lift)) = plan.leaf.zip(lift) else { continue };
+            let Some((leaf, (_, lift))) = plan.leaf.zip(self.lifts.at(plan)) else { continue };
             let open = lift.is_open_at(plan.stop);
             let there = self.region_of(leaf).filter(|region| self.active.contains_key(region));
             if let Some(environment) =
