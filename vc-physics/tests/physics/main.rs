@@ -15,4 +15,5 @@ mod recorded;
 mod rest;
 mod scenes;
 mod traps;
+mod travellers;
 mod water;
