@@ -32,6 +32,8 @@ const PATIENCE: Span = Span(60);
 pub(super) struct Journey {
     /// The walk that it was given; none if it was sent to a region.
     pub(super) action: Option<Action>,
+    /// Whether it was ordered: whoever is interrupted between two regions gets through, and nothing more is told of it.
+    is_ordered: bool,
     /// The legs that are left; the first goes on, unless it waits.
     legs: VecDeque<Leg>,
     stage: Stage,
@@ -101,7 +103,7 @@ impl Journey {
     }
 
     pub(super) fn feed(&self, agent: NodeId, hash: &mut Digester) {
-        hash.words([u64::from(agent.0), u64::from(self.tries)]);
+        hash.words([u64::from(agent.0), u64::from(self.tries), u64::from(self.is_ordered)]);
         self.legs.iter().for_each(|leg| _ = hash.text(&format!("{leg:?}")));
         match &self.stage {
             Stage::Waiting(until) => hash.words([0, until.0]),
@@ -137,7 +139,8 @@ impl City {
         let legs = way.into_iter().flat_map(|portal| [Leg::Approach(portal), Leg::Cross(portal)]);
         let legs = goes_on.into_iter().chain(legs).chain(action.map(Leg::Act)).collect();
         let stage = before.map_or(Stage::Waiting(self.tick), |before| before.stage);
-        self.journeys.insert(agent, Journey { action, legs, stage, tries: 0, changes: ChangeSet::default() });
+        let (is_ordered, changes) = (to.is_some() || action.is_some(), ChangeSet::default());
+        self.journeys.insert(agent, Journey { action, is_ordered, legs, stage, tries: 0, changes });
         Ok(())
     }
 
@@ -185,8 +188,10 @@ impl City {
                 self.endings.remove(leg);
             }
         }
-        let why = CityError::Interrupted(self.label(agent));
-        self.endings.push(CityEnding { tick: self.tick, agent, action: journey.action, outcome: Err(why) });
+        if journey.is_ordered {
+            let why = CityError::Interrupted(self.label(agent));
+            self.endings.push(CityEnding { tick: self.tick, agent, action: journey.action, outcome: Err(why) });
+        }
         matches!(journey.stage, Stage::Crossing(_)).then_some(journey)
     }
 
@@ -287,6 +292,9 @@ impl City {
 
     fn end_journey(&mut self, agent: NodeId, outcome: Result<(), CityError>) {
         let Some(journey) = self.journeys.remove(&agent) else { return };
+        if !journey.is_ordered {
+            return;
+        }
         let outcome = outcome.map(|()| journey.changes);
         self.endings.push(CityEnding { tick: self.tick, agent, action: journey.action, outcome });
     }

@@ -2,7 +2,7 @@
 
 use vc_graph::clock::{Span, Tick};
 use vc_graph::space::RegionId;
-use vc_graph::{Action, ChangeSet, NodeId, Verb};
+use vc_graph::{Action, ChangeSet, NodeId, Verb, rule};
 
 use super::{City, CityError};
 use crate::{ActionError, Interruption};
@@ -57,6 +57,13 @@ impl City {
             return self.set_out(agent, region, Some(action));
         }
         if self.journeys.contains_key(&agent) {
+            // A refused one breaks nothing off.
+            let refusals = rule::refusals(self.environment_with(agent)?.graph(), agent, &action);
+            if !refusals.is_empty() {
+                let outcome = Err(ActionError::Refused(refusals).into());
+                self.endings.push(CityEnding { tick: self.tick, agent, action: Some(action), outcome });
+                return Ok(());
+            }
             self.break_off(agent);
         }
         if let Some(environment) = self.environment_mut(agent) {

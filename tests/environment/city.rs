@@ -267,6 +267,36 @@ fn another_order_takes_the_place_of_a_walk_or_a_journey() {
     }
 }
 
+/// An order has one ending, also if it is interrupted on the stairs, where one goes on to the next landing.
+#[test]
+fn an_interrupted_journey_ends_once() {
+    for ticks in [1, 100, 200, 300, 400, 500, 600, 700] {
+        let mut city = city(1);
+        let me = city.agents().next().unwrap();
+        city.set_ways(me, |plan| !is_lift(plan));
+        city.send(me, landing(2)).unwrap();
+        let told = city.step(Span(ticks)).len();
+        city.interrupt(me);
+        let endings = city.step(Span(3000));
+        assert_eq!(told + endings.len(), 1, "{ticks}: {endings:?}");
+        assert!(told == 1 || endings[0].outcome.is_err(), "{ticks}");
+    }
+}
+
+/// An action that the rule refuses breaks no journey off.
+#[test]
+fn a_refused_action_leaves_a_journey() {
+    let mut city = city(1);
+    let me = city.agents().next().unwrap();
+    let table = of_class(&city, YARD, "table");
+    city.send(me, landing(1)).unwrap();
+    city.step(Span(30));
+    assert!(city.set_action(me, Action::grab(table)).is_err());
+    let endings = city.step(Span(6000));
+    assert!(endings.len() == 1 && endings[0].outcome.is_ok(), "{endings:?}");
+    assert_eq!(city.region_of(me), Some(landing(1)));
+}
+
 #[test]
 fn a_sleeping_region_is_as_if_it_had_been_watched() {
     let mut city = city(1);

@@ -72,5 +72,9 @@ pub enum Interruption {
 }
 
 fn something(labels: &[Label]) -> String {
-    if labels.is_empty() { "something is".to_owned() } else { in_a_row(labels) }
+    match labels {
+        [] => "something is".to_owned(),
+        [one] => format!("{one} is"),
+        more => format!("{} are", in_a_row(more)),
+    }
 }

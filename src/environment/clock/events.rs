@@ -410,10 +410,21 @@ impl Environment {
         schedule.truth = Some(truth);
         let action = schedule.action;
         self.clock.about_to_change(&before);
+        self.let_go_of_leaves(agent, &action);
         self.tell_others(agent, &action);
         self.clock.changed.extend(changes.changes().iter().filter_map(moved_by_rule).chain([agent]));
         self.clock.unseen = true;
         self.clock.note(changes);
+    }
+
+    /// What one has opened or shut is no longer moved by others, who may be late: it stays where it is.
+    fn let_go_of_leaves(&mut self, agent: NodeId, action: &Action) {
+        let moved = self.opened_or_closed(action);
+        for (_, other) in self.clock.running.iter_mut().filter(|(id, _)| **id != agent) {
+            if matches!(&other.track, Track::Leaf(leaf) if moved.contains(&leaf.id)) {
+                other.track = Track::Still;
+            }
+        }
     }
 
     /// Effects that an agent has brought about hold for what others are in the middle of, too.
@@ -448,9 +459,7 @@ impl Environment {
         if let Some(drive) = schedule.pushing()
             && !self.others(agent).any(|(_, other)| other.pushing().is_some_and(|theirs| theirs.id == drive.id))
         {
-            let parts = self.world.parts(drive.id).all();
-            // Its motors stop where they are.
-            (0..).zip(parts).for_each(|(part, now)| drop(self.world.put_open(drive.id, Some(part), now.open)));
+            self.halt(drive.id);
         }
         let broken: Vec<NodeId> = schedule.action.things().chain(self.graph.carried_with(agent)).collect();
         for truth in self.clock.running.values_mut().filter_map(|other| other.truth.as_mut()) {
@@ -463,6 +472,13 @@ impl Environment {
         // An action whose effects have come true has been done, however its motions end.
         let done = schedule.truth.is_some() && matches!(error, ActionError::Interrupted { .. });
         self.end(agent, schedule.action, if done { Ok(()) } else { Err(error) });
+    }
+
+    /// Stops the motors of a thing where they are.
+    pub(super) fn halt(&mut self, thing: NodeId) {
+        let parts = self.world.parts(thing).all();
+        // The parts are there, and stay.
+        (0..).zip(parts).for_each(|(part, now)| drop(self.world.put_open(thing, Some(part), now.open)));
     }
 
     /// Leaves an agent, and what it moves, where its motion has brought them.

@@ -1,8 +1,10 @@
 //! The ends of actions: what they moved rests, is read, and is compared with the rule.
 
+use nalgebra::Point2;
 use vc_graph::{Action, Effect, NodeId, Pose, Relation, SceneGraph, State, rule};
 use vc_physics::{BodyRole, Hand};
 
+use super::passing::spot;
 use super::schedule::{NEVER, Phase};
 use super::track::Track;
 use crate::environment::compare::{Outcome, unsteady};
@@ -10,6 +12,9 @@ use crate::environment::execute::off_aim;
 use crate::environment::motion::BodyMotion;
 use crate::environment::observe::{self, faced_by, holder, keep_facing, lay_through, moved_by_rule};
 use crate::environment::{ActionError, Attempt, Disagreement, Environment, PhysicalRefusal, astray};
+
+/// A door pushes nobody nearer than that to somebody else, metres.
+const PRESSED: f32 = 0.45;
 
 impl Environment {
     /// Finds out which actions need not wait for bodies any longer.
@@ -20,12 +25,14 @@ impl Environment {
         for agent in waiting {
             let involved = self.involved(agent);
             let rests = !self.clock.stirred && self.world.rests(&involved);
+            let pressed = self.presses_somebody(agent);
+            pressed.into_iter().for_each(|thing| self.halt(thing));
             let Some(schedule) = self.clock.running.get_mut(&agent) else { continue };
             let over = match &mut schedule.phase {
                 Phase::Pushes(left, _) => {
                     *left = left.saturating_sub(1);
                     let driven = schedule.action.things().any(|id| self.world.parts(id).is_driven());
-                    *left == 0 || !driven
+                    *left == 0 || !driven || pressed.is_some()
                 }
                 _ => rests,
             };
@@ -33,6 +40,16 @@ impl Environment {
                 schedule.until = now;
             }
         }
+    }
+
+    /// The thing that an agent's push moves, if that has pushed somebody up to somebody else.
+    fn presses_somebody(&self, agent: NodeId) -> Option<NodeId> {
+        let thing = self.clock.running.get(&agent)?.pushing()?.id;
+        let walkers = self.walkers(agent);
+        let stand = self.agents().iter().filter(|id| !walkers.contains(id));
+        let feet: Vec<Point2<f32>> = stand.filter_map(|id| Some(spot(&self.world.pose(*id)?))).collect();
+        let near = |(i, one): (usize, &Point2<f32>)| feet[i + 1..].iter().any(|other| (one - other).norm() < PRESSED);
+        feet.iter().enumerate().any(near).then_some(thing)
     }
 
     /// Things in an agent's hands, and what its action is about.
@@ -224,7 +241,7 @@ impl Environment {
     }
 
     /// The things that an action opens or closes.
-    fn opened_or_closed(&self, action: &Action) -> Vec<NodeId> {
+    pub(super) fn opened_or_closed(&self, action: &Action) -> Vec<NodeId> {
         let thing = |effect| match effect {
             Effect::Enter(id, State::Open | State::Closed) => Some(id),
             _ => None,

@@ -10,6 +10,8 @@ use crate::environment::motion::{BodyMotion, Drive};
 
 /// The smallest share of its range that a door has to open.
 pub(in crate::environment) const WIDE: f32 = 0.35;
+/// The share from which on it is fully open.
+const FULLY: f32 = 0.999;
 /// The farthest that a loose thing may shift while it is opened, metres.
 const SHIFT: f32 = 0.1;
 
@@ -38,7 +40,7 @@ impl Planner<'_> {
         let now = self.world.parts(id).openness().unwrap_or(open);
         let arrived = if open > 0.5 { now >= WIDE } else { self.world.parts(id).state() == Some(State::Closed) };
         // The part may have stopped where the agent stands.
-        let squeezed = now < 1.0 && self.stands() && !self.world.standing(self.agent, &self.feet())?.is_free();
+        let squeezed = now < FULLY && self.stands() && !self.world.standing(self.agent, &self.feet())?.is_free();
         if !arrived || squeezed {
             return Err(self.stuck(id, open, now)?);
         }

@@ -327,9 +327,18 @@ fn doors_and_drawers_that_two_open_end_as_open_as_by_one() {
                         both.interrupt(agents[1]);
                     }
                     both.step_until_idle(LONG);
+                    let mut shut = both.clone();
                     let both = parts(&both, cupboard);
                     let wide = (0..both.len()).all(|part| both[part] > one[part].min(other[part]) - 0.01);
                     assert!(wide, "{seed}, {cupboard}, {delay}, {stops}: {both:?} instead of {one:?} or {other:?}");
+                    // And shut it as well.
+                    shut.give(agents[0], Action::close(cupboard));
+                    shut.step(Span(delay));
+                    shut.give(agents[1], Action::close(cupboard));
+                    shut.step_until_idle(LONG);
+                    let state = shut.world().parts(cupboard).state();
+                    let said = shut.graph().node(cupboard).unwrap().is(State::Closed);
+                    assert!(!said || state == Some(State::Closed), "{seed}, {cupboard}, {delay}: {state:?}");
                     tried += 1;
                 }
             }

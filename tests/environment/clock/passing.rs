@@ -178,3 +178,20 @@ fn passed_doors_agree_with_the_graph() {
     }
     assert!(passed > 0, "no door was seen open in the world");
 }
+
+/// A door that is pushed open presses nobody into anybody.
+#[test]
+fn a_door_presses_nobody() {
+    let mut home = home(30043, 2);
+    let (a, b) = (home.agents()[0], home.agents()[1]);
+    home.give(a, Action::open(home.graph().of_class("dishwasher")[0]));
+    let cabinet = home.graph().of_class("kitchen_cabinet").into_iter().find(|id| id.0 == 38).unwrap();
+    home.give(b, Action::walk(cabinet));
+    while home.is_busy() {
+        home.step(Span(6));
+        let now = home.moment();
+        assert!((feet(&now, a) - feet(&now, b)).norm() > 0.4, "{:?}", home.tick());
+    }
+    home.step(Span(300));
+    assert!((feet(&home, a) - feet(&home, b)).norm() > 0.4);
+}
