@@ -107,7 +107,7 @@ pub struct RoadDraft {
     /// Whether it is a slip road, which gives way to others of its class.
     #[serde(default, skip_serializing_if = "is_false")]
     pub slip: bool,
-    /// Whether only those may use it who have something to do there.
+    /// Whether only those may drive on it who have something to do there.
     #[serde(default)]
     pub private: bool,
     /// The numbers of the ways that it was made from, of OpenStreetMap for example.
