@@ -122,7 +122,8 @@ impl Emitter<'_> {
         head.and_then(|head| self.roads.get(&head)).map_or(0, Vec::len)
     }
 
-    /// Bollards, locked gates and their like: those whom they stop turn back there. Where several streets meet nobody knows between which they stand.
+    /// Bollards, locked gates and their like: those whom they stop turn back there. Where several streets meet nobody knows between
+    /// which they stand.
     fn barriers(&mut self, report: &mut ImportReport) {
         for (node, marks) in self.network.marks.iter().filter(|(_, marks)| !marks.closed.is_empty()) {
             let head = self.clusters.of(*node);
