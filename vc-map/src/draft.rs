@@ -107,7 +107,7 @@ pub struct RoadDraft {
     /// Whether it is a slip road, which gives way to others of its class.
     #[serde(default, skip_serializing_if = "is_false")]
     pub slip: bool,
-    /// Whether only those may use it who have something to do there.
+    /// Whether only those may drive on it who have something to do there.
     #[serde(default)]
     pub private: bool,
     /// The numbers of the ways that it was made from, of OpenStreetMap for example.
@@ -183,7 +183,26 @@ pub struct CrossingDraft {
 }
 
 /// A map as it is described. Whatever follows from this (lanes, movements, conflicts, phases, the walkable network) is
-/// worked out by [`MapDraft::build`](crate::MapDraft::build), the same on every machine.
+/// worked out by [`MapDraft::build`](crate::MapDraft::build), the same on every machine. Metres, X east and Y north from the
+/// origin; metres per second.
+///
+/// ```
+/// use vc_map::{Control, CrossSection, CrossingDraft, CrossingKind, MapDraft, RoadClass, Strip, TurnBan};
+/// let mut draft = MapDraft::new("corner", 48.1, 11.6);
+/// let middle = draft.junction([0.0, 0.0], Control::Priority);
+/// let [west, _, north] = [[-100.0, 0.0], [100.0, 0.0], [0.0, 100.0]].map(|at| {
+///     let (end, side) = (draft.junction(at, Control::Edge), vec![Strip::driving(3.0, 8.3), Strip::pavement(2.4)]);
+///     let section = CrossSection { forward: side.clone(), backward: side, median: 0.0 };
+///     draft.road(end, middle, RoadClass::Residential, section)
+/// });
+/// // Nobody turns from the west to the north, where people cross on a zebra.
+/// draft.bans.push(TurnBan::new(west, middle, north));
+/// draft.crossings.push(CrossingDraft { at: middle, road: north, kind: CrossingKind::Marked, island: false, source: 0 });
+/// let map = draft.build()?;
+/// assert_eq!(map.junction(middle).map(|junction| junction.movements.len()), Some(5));
+/// assert!(map.crossings().iter().any(|crossing| crossing.kind == CrossingKind::Marked && !crossing.guessed));
+/// # Ok::<(), vc_map::MapError>(())
+/// ```
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct MapDraft {
@@ -221,7 +240,7 @@ pub struct MapDraft {
 }
 
 impl MapDraft {
-    /// An empty map of a name, at a place of the world in degrees.
+    /// An empty map of a name, at a place of the world: degrees north and east.
     pub fn new(name: impl Into<String>, latitude: f64, longitude: f64) -> Self {
         Self { name: name.into(), origin: Origin { latitude, longitude }, ..Self::default() }
     }
@@ -232,7 +251,8 @@ impl MapDraft {
         JunctionId::of(self.junctions.len() - 1)
     }
 
-    /// Adds a straight road between two junctions; [`Self::roads`] can be changed to bend it.
+    /// Adds a straight road between two junctions; [`Self::roads`] can be changed to bend it. Junctions that there are not are
+    /// found when the map is built.
     pub fn road(&mut self, from: JunctionId, to: JunctionId, class: RoadClass, section: CrossSection) -> RoadId {
         let place = |id: JunctionId| self.junctions.get(id.index()).map_or([f64::NAN; 2], |junction| junction.at);
         let line = vec![place(from), place(to)];

@@ -2,7 +2,16 @@
 
 use crate::{BuildingId, EntranceId, JunctionId, RoadId};
 
-/// A map cannot be built from its description.
+/// A map cannot be built from its description. The text names the part and says what to do.
+///
+/// ```
+/// use vc_map::{Control, CrossSection, JunctionId, MapDraft, RoadClass};
+/// let mut draft = MapDraft::new("street", 48.1, 11.6);
+/// let start = draft.junction([0.0, 0.0], Control::Priority);
+/// draft.road(start, JunctionId(7), RoadClass::Residential, CrossSection::default());
+/// let error = draft.build().unwrap_err();
+/// assert_eq!(error.to_string(), "road 0 ends at junction 7, which the map does not have: add it, or name another");
+/// ```
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum MapError {

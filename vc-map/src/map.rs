@@ -61,7 +61,7 @@ macro_rules! lists {
             &self.inner.$all
         }
 
-        #[doc = concat!("One of [`Self::", stringify!($all), "`].")]
+        #[doc = concat!("One of [`Self::", stringify!($all), "`]; `None` beyond the last. Costs a look at the list.")]
         pub fn $one(&self, id: $id) -> Option<&$item> {
             self.inner.$all.get(id.index())
         }
@@ -115,7 +115,7 @@ impl StreetMap {
         &self.inner.draft.buildings
     }
 
-    /// One of [`Self::buildings`].
+    /// One of [`Self::buildings`]; `None` beyond the last.
     pub fn building(&self, id: BuildingId) -> Option<&crate::Building> {
         self.buildings().get(id.index())
     }
@@ -206,7 +206,7 @@ impl StreetMap {
         longest
     }
 
-    /// The edges of the walkable network at a node.
+    /// The edges of the walkable network at a node; none if the map does not have it. Costs a look at a list.
     pub fn walk_edges_at(&self, node: WalkNodeId) -> &[WalkEdgeId] {
         self.inner.walk_at.get(node.index()).map_or(&[], Vec::as_slice)
     }
@@ -238,7 +238,8 @@ impl StreetMap {
         draft.bytes() + held + lane_index.bytes() + walk_index.bytes()
     }
 
-    /// The smallest box around all roads, buildings and areas, metres: lower left, upper right. `None` for an empty map.
+    /// The smallest box around all roads, buildings and areas, metres: lower left, upper right. `None` for an empty map. Costs
+    /// one pass over their points.
     pub fn bounds(&self) -> Option<[Point; 2]> {
         let roads = self.roads().iter().flat_map(|road| road.line.points().iter().copied());
         let rings = self.buildings().iter().map(|b| &b.outline).chain(self.areas().iter().map(|a| &a.outline));
@@ -258,7 +259,7 @@ impl fmt::Debug for StreetMap {
     }
 }
 
-/// Maps are equal if they were built from equal descriptions.
+/// Maps are equal if they were built from equal descriptions. Costs one pass over these, for clones nothing.
 impl PartialEq for StreetMap {
     fn eq(&self, other: &Self) -> bool {
         Arc::ptr_eq(&self.inner, &other.inner) || self.inner.draft == other.inner.draft

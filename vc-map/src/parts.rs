@@ -29,6 +29,25 @@ impl Road {
 }
 
 /// A strip of a road that somebody uses, in the direction of travel.
+///
+/// ```
+/// # use vc_map::{Control, CrossSection, MapDraft, RoadClass, Strip};
+/// # let mut draft = MapDraft::new("street", 48.1, 11.6);
+/// # let ends = [[0.0, 0.0], [100.0, 0.0], [200.0, 0.0]].map(|at| draft.junction(at, Control::Priority));
+/// # let side = vec![Strip::driving(3.0, 8.3), Strip::pavement(2.0)];
+/// # for pair in ends.windows(2) {
+/// #     let section = CrossSection { forward: side.clone(), backward: side.clone(), median: 0.0 };
+/// #     draft.road(pair[0], pair[1], RoadClass::Residential, section);
+/// # }
+/// # let map = draft.build()?; // a street of two roads along X
+/// let lane = &map.lanes()[0];
+/// assert!(lane.forward && lane.limit == 8.3 && lane.line.heading(0.0) == 0.0);
+/// // On over the junction, into the lane of the next road.
+/// let movement = map.movement(lane.next[0]).ok_or("a movement")?;
+/// let next = map.lane(movement.to).ok_or("a lane")?;
+/// assert!(next.road != lane.road && next.line.start().x > lane.line.end().x);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Lane {
@@ -70,11 +89,30 @@ pub struct Arm {
     pub road: RoadId,
     /// Whether it is the start of the road's line.
     pub start: bool,
-    /// The direction in which the road leaves, a unit vector.
+    /// The direction in which the road leaves the junction, a unit vector.
     pub away: Vector2<f64>,
 }
 
 /// A junction of a map.
+///
+/// ```
+/// use vc_map::Turn;
+/// # use vc_map::{Control, CrossSection, MapDraft, RoadClass, Strip};
+/// # let mut draft = MapDraft::new("corner", 48.1, 11.6);
+/// # let middle = draft.junction([0.0, 0.0], Control::Priority);
+/// # for at in [[-100.0, 0.0], [100.0, 0.0], [0.0, 100.0]] {
+/// #     let (end, side) = (draft.junction(at, Control::Edge), vec![Strip::driving(3.0, 8.3), Strip::pavement(2.4)]);
+/// #     let section = CrossSection { forward: side.clone(), backward: side, median: 0.0 };
+/// #     draft.road(end, middle, RoadClass::Residential, section);
+/// # }
+/// # let map = draft.build()?; // streets to the west, east and north
+/// let junction = map.junction(middle).ok_or("a junction")?;
+/// let turn = |turn: Turn| junction.movements.iter().filter(|id| map.movement(**id).is_some_and(|m| m.turn == turn)).count();
+/// assert_eq!([Turn::Through, Turn::Left, Turn::Right].map(turn), [2, 2, 2]);
+/// // Rows of the table are movements, then crossings.
+/// assert_eq!(junction.conflicts.size(), junction.movements.len() + junction.crossings.len());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Junction {
@@ -194,6 +232,24 @@ pub enum WalkKind {
 }
 
 /// An edge of the walkable network, walked both ways.
+///
+/// ```
+/// # use vc_map::{Control, CrossSection, MapDraft, RoadClass, Strip};
+/// # let mut draft = MapDraft::new("street", 48.1, 11.6);
+/// # let ends = [[0.0, 0.0], [100.0, 0.0], [200.0, 0.0]].map(|at| draft.junction(at, Control::Priority));
+/// # let side = vec![Strip::driving(3.0, 8.3), Strip::pavement(2.0)];
+/// # for pair in ends.windows(2) {
+/// #     let section = CrossSection { forward: side.clone(), backward: side.clone(), median: 0.0 };
+/// #     draft.road(pair[0], pair[1], RoadClass::Residential, section);
+/// # }
+/// # let map = draft.build()?; // a street of two roads along X
+/// // From a node one goes on along all edges that meet there.
+/// let edge = &map.walk_edges()[0];
+/// for node in edge.ends {
+///     assert!(map.walk_edges_at(node).iter().any(|id| map.walk_edge(*id) == Some(edge)));
+/// }
+/// # Ok::<(), vc_map::MapError>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct WalkEdge {
@@ -215,7 +271,7 @@ pub struct Entrance {
     pub building: BuildingId,
     /// The door.
     pub door: Point,
-    /// The edge of the walkable network before the door, if there is a network.
+    /// The edge of the walkable network before the door, if one is within 200 m.
     pub edge: Option<WalkEdgeId>,
     /// Where on that edge, metres from its first end.
     pub station: f64,
@@ -233,11 +289,29 @@ pub struct Bay {
     pub at: Point,
     /// The heading of a vehicle that stands in it, radians.
     pub heading: f64,
-    /// Its length and width, metres.
+    /// The length and width of such a vehicle's place, metres.
     pub size: [f64; 2],
 }
 
 /// A stop with the lanes before it.
+///
+/// ```
+/// use vc_map::{StopDraft, StopKind};
+/// # use vc_map::{Control, CrossSection, MapDraft, RoadClass, Strip};
+/// # let mut draft = MapDraft::new("street", 48.1, 11.6);
+/// # let ends = [[0.0, 0.0], [100.0, 0.0], [200.0, 0.0]].map(|at| draft.junction(at, Control::Priority));
+/// # let side = vec![Strip::driving(3.0, 8.3), Strip::pavement(2.0)];
+/// # for pair in ends.windows(2) {
+/// #     let section = CrossSection { forward: side.clone(), backward: side.clone(), median: 0.0 };
+/// #     draft.road(pair[0], pair[1], RoadClass::Residential, section);
+/// # }
+/// // a street along X
+/// draft.stops.push(StopDraft { kind: StopKind::Bus, at: [40.0, -4.0], name: None, source: 0 });
+/// let map = draft.build()?;
+/// let stop = &map.stops()[0];
+/// assert!(stop.lane.is_some_and(|(_, station)| station > 0.0) && stop.walk.is_some());
+/// # Ok::<(), vc_map::MapError>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Stop {
@@ -247,8 +321,8 @@ pub struct Stop {
     pub name: Option<String>,
     /// Where people wait.
     pub at: Point,
-    /// The lane in which vehicles stop and the station there, if one is near.
+    /// The lane in which vehicles stop and the station there, metres, if one is within 25 m.
     pub lane: Option<(LaneId, f64)>,
-    /// The edge of the walkable network before it, and the station there.
+    /// The edge of the walkable network before it and the station there, metres, if one is within 50 m.
     pub walk: Option<(WalkEdgeId, f64)>,
 }

@@ -38,6 +38,11 @@ pub struct Building {
 
 impl Building {
     /// A building of an outline in metres and a number of storeys, each 3.1 m high.
+    ///
+    /// ```
+    /// let house = vc_map::Building::new(vec![[0.0, 0.0], [10.0, 0.0], [10.0, 8.0], [0.0, 8.0]], 2);
+    /// assert_eq!((house.height, house.base, house.kind.as_str()), (6.2, 0.0, "yes"));
+    /// ```
     pub fn new(outline: Vec<[f64; 2]>, storeys: u32) -> Self {
         Self {
             outline,

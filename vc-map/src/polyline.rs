@@ -100,19 +100,19 @@ impl Polyline {
         (self.points[piece + 1] - self.points[piece]).normalize()
     }
 
-    /// The point at a station, metres; stations beyond an end are that end.
+    /// The point at a station, metres; stations beyond an end are that end. Costs the logarithm of the number of points.
     pub fn at(&self, station: f64) -> Point {
         let station = station.clamp(0.0, self.length());
         let piece = self.piece(station);
         self.points[piece] + self.along(piece) * (station - self.stations[piece])
     }
 
-    /// The direction of the line at a station, as a unit vector.
+    /// The direction of the line at a station in metres, as a unit vector.
     pub fn direction(&self, station: f64) -> Vector2<f64> {
         self.along(self.piece(station.clamp(0.0, self.length())))
     }
 
-    /// The heading at a station, radians counter-clockwise from X.
+    /// The heading at a station in metres, radians counter-clockwise from X.
     pub fn heading(&self, station: f64) -> f64 {
         let along = self.direction(station);
         along.y.angle_to(along.x)
@@ -143,7 +143,7 @@ impl Polyline {
         Projection { station: self.stations[piece] + step, left, point: nearest }
     }
 
-    /// The part between two stations, or `None` if it is shorter than a millimetre.
+    /// The part between two stations in metres, or `None` if it is shorter than a millimetre.
     #[must_use]
     pub fn part(&self, from: f64, to: f64) -> Option<Self> {
         let [first, last] =

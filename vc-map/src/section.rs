@@ -5,6 +5,12 @@ use serde::{Deserialize, Serialize};
 use crate::{Turns, Users};
 
 /// The class of a road, by the values of OpenStreetMap's key `highway`.
+///
+/// ```
+/// use vc_map::RoadClass;
+/// assert!(RoadClass::Primary.rank() > RoadClass::Residential.rank());
+/// assert!(RoadClass::Service.is_street() && !RoadClass::Service.is_through());
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 #[non_exhaustive]
@@ -129,6 +135,14 @@ pub enum StripKind {
 }
 
 /// A strip along a road.
+///
+/// ```
+/// use vc_map::{Strip, StripKind, Turns, Users};
+/// // A lane for those who turn left at 50 km/h, and one for buses.
+/// let left = Strip { turns: Turns::LEFT, ..Strip::driving(3.0, 13.9) };
+/// let bus = Strip::new(StripKind::Driving, 3.5, Users::BUS, 13.9);
+/// assert!(left.users.has(Users::CAR) && !bus.users.has(Users::CAR));
+/// ```
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Strip {
@@ -161,7 +175,7 @@ impl Strip {
         Self::new(StripKind::Pavement, width, Users::FOOT, 1.4)
     }
 
-    /// A lane for all vehicles.
+    /// A lane for all vehicles on tyres, with a width in metres and a limit in metres per second.
     pub fn driving(width: f64, limit: f64) -> Self {
         Self::new(StripKind::Driving, width, Users::TRAFFIC, limit)
     }

@@ -21,7 +21,7 @@ pub struct ConflictTable {
 }
 
 impl ConflictTable {
-    /// A table for a number of movements and crossings, none in another's way.
+    /// A table for a number of movements and crossings, none in another's way. It takes a bit for each pair.
     pub fn new(size: usize) -> Self {
         let words = size.div_ceil(64);
         Self { size, words, bits: vec![0; size * words] }
@@ -56,7 +56,8 @@ impl ConflictTable {
         one < self.size && other < self.size && self.bits[one * self.words + other / 64] >> (other % 64) & 1 == 1
     }
 
-    /// Whether one is in the way of none of those whose bits are set.
+    /// Whether one is in the way of none of those whose bits are set, the lowest bit of the first word being number 0. Costs a
+    /// step for each 64 movements; numbers beyond the table are never free.
     pub fn free(&self, one: usize, busy: &[u64]) -> bool {
         one < self.size
             && self.bits[one * self.words..][..self.words].iter().zip(busy).all(|(row, busy)| row & busy == 0)
@@ -94,7 +95,7 @@ pub enum Light {
     Yellow,
 }
 
-/// A phase of a signal.
+/// A phase of a signal: the lights that show for some time.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Phase {
     /// How long it lasts, seconds.
@@ -103,7 +104,28 @@ pub struct Phase {
     pub lights: Vec<Light>,
 }
 
-/// A signal with fixed times.
+/// A signal with fixed times, which begin with the first phase.
+///
+/// ```
+/// use vc_map::Light;
+/// # use vc_map::{Control, CrossSection, MapDraft, RoadClass, Strip};
+/// # let mut draft = MapDraft::new("corner", 48.1, 11.6);
+/// # let middle = draft.junction([0.0, 0.0], Control::Signals);
+/// # for at in [[-100.0, 0.0], [100.0, 0.0], [0.0, 100.0]] {
+/// #     let (end, side) = (draft.junction(at, Control::Edge), vec![Strip::driving(3.0, 8.3), Strip::pavement(2.4)]);
+/// #     let section = CrossSection { forward: side.clone(), backward: side, median: 0.0 };
+/// #     draft.road(end, middle, RoadClass::Residential, section);
+/// # }
+/// # let map = draft.build()?; // streets to the west, east and north
+/// let signal = &map.signals()[0];
+/// let green = |row: usize| -> f64 {
+///     let phases = signal.phases.iter().filter(|phase| matches!(phase.lights[row], Light::Green | Light::GreenYield));
+///     phases.map(|phase| phase.seconds).sum()
+/// };
+/// let size = map.junction(signal.junction).map_or(0, |junction| junction.conflicts.size());
+/// assert!(size > 6 && (0..size).all(|row| green(row) > 0.0 && green(row) < signal.cycle()));
+/// # Ok::<(), vc_map::MapError>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Signal {

@@ -112,6 +112,12 @@ masks! {
 
 masks! {
     /// Directions in which a lane goes on beyond a junction; none means that nothing is marked.
+    ///
+    /// ```
+    /// use vc_map::Turns;
+    /// let marks = Turns::LEFT | Turns::THROUGH;
+    /// assert_eq!(marks.words().collect::<Vec<_>>(), ["through", "left"]);
+    /// ```
     Turns {
         /// Straight on.
         THROUGH = 0, "through";

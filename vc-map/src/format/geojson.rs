@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 use crate::geo::Frame;
 use crate::{Point, StreetMap};
 
-/// Writes a map as a collection of features; each has a property `kind`.
+/// Writes a map as a collection of features; each has a property `kind`. Costs one pass over the map.
 ///
 /// ```
 /// use vc_map::format::geojson;

@@ -122,9 +122,10 @@ impl Emitter<'_> {
         head.and_then(|head| self.roads.get(&head)).map_or(0, Vec::len)
     }
 
-    /// Bollards and their like: cars and buses turn back there. Where several streets meet nobody knows between which they stand.
+    /// Bollards, locked gates and their like: those whom they stop turn back there. Where several streets meet nobody knows between
+    /// which they stand.
     fn barriers(&mut self, report: &mut ImportReport) {
-        for (node, _) in self.network.marks.iter().filter(|(_, marks)| marks.closed) {
+        for (node, marks) in self.network.marks.iter().filter(|(_, marks)| !marks.closed.is_empty()) {
             let head = self.clusters.of(*node);
             let street = |road: &&RoadId| self.draft.roads[road.index()].class.is_street();
             let roads: Vec<RoadId> = self.roads.get(&head).into_iter().flatten().filter(street).copied().collect();
@@ -132,7 +133,7 @@ impl Emitter<'_> {
             match (&roads[..], self.clusters.nodes(*node).len()) {
                 ([one, other], 1) => {
                     let turns = [(*one, *other), (*other, *one)];
-                    let ban = |(from, to)| TurnBan { from, at, to, users: Users::CAR | Users::BUS };
+                    let ban = |(from, to)| TurnBan { from, at, to, users: marks.closed };
                     self.draft.bans.extend(turns.map(ban));
                 }
                 ([] | [_], 1) => {}

@@ -2,7 +2,7 @@
 
 use super::network::{Network, Part};
 use super::tags::Tags;
-use crate::CrossingKind;
+use crate::{CrossingKind, Users};
 
 /// The facts that a node of a street tells.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -16,14 +16,14 @@ pub(super) struct Marks {
     pub(super) island: bool,
     /// A junction at which everybody stops.
     pub(super) all_stop: bool,
-    /// Whether something stands in the way of vehicles with more than two wheels.
-    pub(super) closed: bool,
+    /// The vehicles that something stands in the way of.
+    pub(super) closed: Users,
 }
 
 impl Marks {
     /// Whether a street is cut here.
     pub(super) fn cuts(&self) -> bool {
-        self.crossing.is_some() || self.signals || self.closed
+        self.crossing.is_some() || self.signals || !self.closed.is_empty()
     }
 }
 
@@ -66,9 +66,25 @@ fn vehicles(marks: &mut Marks, tags: Tags<'_>, reversed: bool) {
         marks.signals = true;
     }
     marks.all_stop |= tags.is("stop", "all");
-    let stands = tags.is("barrier", "bollard|block|cycle_barrier|motorcycle_barrier|jersey_barrier|planter");
-    let opens = ["motorcar", "motor_vehicle", "vehicle", "access"].iter().any(|key| tags.yes(key));
-    marks.closed |= stands && !opens;
+    marks.closed = marks.closed | barrier(tags);
+}
+
+/// The vehicles that a barrier stops: bollards and their like those with more than two wheels, gates that nobody opens all of them.
+/// Other gates are opened by those who have something to do behind them.
+fn barrier(tags: Tags<'_>) -> Users {
+    let motor = Users::CAR | Users::BUS;
+    if tags.is("barrier", "bollard|block|cycle_barrier|motorcycle_barrier|jersey_barrier|planter") {
+        let opens = ["motorcar", "motor_vehicle", "vehicle", "access"].iter().any(|key| tags.yes(key));
+        return if opens { Users::NONE } else { motor };
+    }
+    let shut = tags.has("barrier") && (tags.is("locked", "yes") || tags.is("access", "no"));
+    if !(shut && tags.is("barrier", "gate|lift_gate|swing_gate|sliding_gate|wicket_gate")) {
+        return Users::NONE;
+    }
+    let opens = |keys: &[&str]| keys.iter().any(|key| tags.is(key, "yes|designated|permissive"));
+    let cars = if opens(&["motorcar", "motor_vehicle", "vehicle"]) { motor } else { Users::NONE };
+    let bicycles = if opens(&["bicycle", "vehicle"]) { Users::BICYCLE } else { Users::NONE };
+    Users::TRAFFIC.without(cars | bicycles)
 }
 
 /// The kind of a crossing; `None` if there is none.

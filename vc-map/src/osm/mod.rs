@@ -61,6 +61,17 @@ use crate::{DrivingSide, MapDraft};
 pub const LARGEST: usize = 1 << 30;
 
 /// How a map is made of OpenStreetMap's data.
+///
+/// ```
+/// use vc_map::DrivingSide;
+/// use vc_map::osm::{ImportOptions, OsmData};
+/// # let file = br#"<osm version="0.6"><node id="1" lat="48.1" lon="11.5"/><node id="2" lat="48.2" lon="11.5"/>
+/// #   <way id="7"><nd ref="1"/><nd ref="2"/><tag k="highway" v="residential"/></way></osm>"#;
+/// let options = ImportOptions { name: "street".into(), side: Some(DrivingSide::Left) };
+/// let (draft, _) = OsmData::from_xml(file)?.draft(&options)?;
+/// assert_eq!((draft.name.as_str(), draft.side), ("street", DrivingSide::Left));
+/// # Ok::<(), vc_map::osm::OsmError>(())
+/// ```
 #[derive(Debug, Clone, Default)]
 pub struct ImportOptions {
     /// The map's name.
@@ -70,7 +81,8 @@ pub struct ImportOptions {
 }
 
 impl OsmData {
-    /// A map of this data, and the account of whatever was guessed, dropped or not used.
+    /// A map of this data, and the account of whatever was guessed, dropped or not used. Costs a few passes over
+    /// the data; the same data gives the same map.
     ///
     /// # Errors
     /// [`OsmError::Empty`] if no way has nodes.

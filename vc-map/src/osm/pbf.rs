@@ -13,7 +13,14 @@ const SPARE: usize = 256 << 10;
 const FEATURES: [&[u8]; 2] = [b"OsmSchema-V0.6", b"DenseNodes"];
 
 impl OsmData {
-    /// Reads OpenStreetMap's XML or PBF, whichever the bytes are.
+    /// Reads OpenStreetMap's XML or PBF, whichever the bytes are. Costs one pass over the file and a sort of its elements.
+    ///
+    /// ```
+    /// use vc_map::osm::OsmData;
+    /// let data = OsmData::read(br#"<osm version="0.6"><node id="1" lat="48.1" lon="11.5"/></osm>"#)?;
+    /// assert_eq!(data.counts(), [1, 0, 0]);
+    /// # Ok::<(), vc_map::osm::OsmError>(())
+    /// ```
     ///
     /// # Errors
     /// Those of [`Self::from_xml`] and [`Self::from_pbf`].

@@ -143,13 +143,8 @@ fn place(tags: Tags<'_>) -> Option<Place> {
     Some(Place::Area(kind))
 }
 
-fn building(
-    element: Element,
-    tags: Tags<'_>,
-    outline: Vec<[f64; 2]>,
-    courts: Vec<Vec<[f64; 2]>>,
-    report: &mut ImportReport,
-) -> Building {
+/// The storeys of a building and the height of its top, metres: each follows from the other, or both are guessed.
+fn storeys(element: Element, tags: Tags<'_>, report: &mut ImportReport) -> (u32, f64) {
     let levels = tags.read("building:levels", number).map(|n| n.clamp(0.0, 200.0).round() as u32);
     let height = tags.read("height", metres).or_else(|| tags.read("building:height", metres));
     let storeys = levels.or_else(|| height.map(|height| ((height / STOREY).round() as u32).max(1)));
@@ -158,15 +153,26 @@ fn building(
         report.guess(element, Guessed::Storeys(usual));
         usual
     });
-    let least = tags.read("min_height", metres);
-    let below = tags.read("building:min_level", number).map(|level| level * STOREY);
-    let base = least.or(below).unwrap_or(0.0).clamp(0.0, 900.0);
     let height = height.unwrap_or_else(|| {
         let roof = tags.read("roof:levels", number).unwrap_or(0.0).clamp(0.0, 20.0);
         let usual = (f64::from(storeys) + roof).max(1.0) * STOREY;
         report.guess(element, Guessed::Height(usual));
         usual
     });
+    (storeys, height)
+}
+
+fn building(
+    element: Element,
+    tags: Tags<'_>,
+    outline: Vec<[f64; 2]>,
+    courts: Vec<Vec<[f64; 2]>>,
+    report: &mut ImportReport,
+) -> Building {
+    let (storeys, height) = storeys(element, tags, report);
+    let least = tags.read("min_height", metres);
+    let below = tags.read("building:min_level", number).map(|level| level * STOREY);
+    let base = least.or(below).unwrap_or(0.0).clamp(0.0, 900.0);
     let kind = tags.text("building").or_else(|| tags.text("building:part")).unwrap_or("yes").to_owned();
     let street = tags.text("addr:street").unwrap_or_default();
     let address = tags.text("addr:housenumber").map(|number| format!("{street} {number}").trim().to_owned());

@@ -146,6 +146,23 @@ impl fmt::Display for Reason {
 /// tag of an element in the map was gone by, or is in [`Self::ignored`] or [`Self::unread`].
 ///
 /// Crossings by rule are guessed when the map is built: [`RoadCrossing::guessed`](crate::RoadCrossing::guessed) tells which.
+///
+/// ```
+/// use vc_map::osm::{Element, Guessed, ImportOptions, OsmData, Reason};
+/// let file = br#"<osm version="0.6">
+///   <node id="1" lat="48.1000" lon="11.5000"/>
+///   <node id="2" lat="48.1010" lon="11.5000"/>
+///   <way id="7"><nd ref="1"/><nd ref="2"/>
+///     <tag k="highway" v="residential"/><tag k="lanes" v="many"/><tag k="mood" v="fair"/></way>
+///   <way id="8"><nd ref="1"/><nd ref="2"/><tag k="highway" v="proposed"/></way>
+/// </osm>"#;
+/// let (_, report) = OsmData::from_xml(file)?.draft(&ImportOptions::default())?;
+/// assert!(report.guessed.contains(&(Element::Way(7), Guessed::Lanes(2))));
+/// assert_eq!(report.dropped, [(Element::Way(8), Reason::NotThere)]);
+/// assert_eq!(report.ignored, [(Element::Way(7), "lanes=many".to_owned())]);
+/// assert_eq!(report.unread.get("mood"), Some(&1));
+/// # Ok::<(), vc_map::osm::OsmError>(())
+/// ```
 #[derive(Debug, Clone, Default, PartialEq)]
 #[non_exhaustive]
 pub struct ImportReport {

@@ -89,6 +89,12 @@ fn may(tags: Tags<'_>, own: &[&str], general: &[&str], usual: bool) -> bool {
     said(own).unwrap_or_else(|| usual && said(general).unwrap_or(true))
 }
 
+/// Whether people on foot are kept off a way, and off the pavements that are mapped along it: by a key of their own, or where
+/// there is none by that for everybody.
+fn is_closed_on_foot(tags: Tags<'_>) -> bool {
+    tags.is("foot", "private|no") || (!tags.has("foot") && tags.is("access", "private|no"))
+}
+
 /// Everybody who may use a way.
 fn users(tags: Tags<'_>, class: RoadClass) -> Users {
     use RoadClass::{Cycleway, Motorway, Path, Pedestrian, Steps, Trunk};
@@ -108,6 +114,9 @@ fn users(tags: Tags<'_>, class: RoadClass) -> Users {
     ];
     let open = rules.iter().filter(|(_, own, general, usual)| may(tags, own, general, *usual));
     let mut all = open.fold(Users::NONE, |all, (user, ..)| all | *user);
+    if is_closed_on_foot(tags) {
+        all = all.without(Users::FOOT);
+    }
     if !street {
         all = all.without(Users::CAR | Users::BUS);
     }
@@ -186,6 +195,10 @@ pub(super) fn street(
         let lane = LaneTags { tags, element, class, slip, one_way, users, limits, side, reversed };
         street.section = lanes::section(&lane, report);
         street.guessed_pavements = super::beside::pavements(&lane, &mut street.section);
+        if is_closed_on_foot(tags) {
+            let strips = street.section.forward.iter_mut().chain(&mut street.section.backward);
+            strips.for_each(|strip| strip.users = strip.users.without(Users::FOOT));
+        }
     } else {
         street.section = path(tags, class, users, limits[0], element, report);
     }

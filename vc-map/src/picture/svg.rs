@@ -8,6 +8,8 @@ use crate::format::xml::Xml;
 
 /// The size of the legend's letters, pixels.
 const LETTERS: f64 = 13.0;
+/// The colour of its letters.
+const INK: Colour = [0x20, 0x20, 0x24];
 
 fn hex([red, green, blue]: Colour) -> String {
     format!("#{red:02x}{green:02x}{blue:02x}")
@@ -114,33 +116,25 @@ impl Drawing {
                 ("fill-opacity", &0.85),
             ],
         );
-        let line = |xml: &mut Xml, row: f64, text: &str| {
-            let y = format!("{:.1}", top + step * (row + 1.0) - 3.0);
-            xml.text(
-                "text",
-                &[("x", &42), ("y", &y), ("font-family", &"sans-serif"), ("font-size", &LETTERS), ("fill", &"#202024")],
-                text,
-            );
-        };
         for (row, entry) in self.legend.iter().enumerate() {
-            let y = format!("{:.1}", top + step * row as f64 + 5.0);
-            xml.tag(
-                "rect",
-                &[("x", &18), ("y", &y), ("width", &16), ("height", &LETTERS), ("fill", &hex(entry.colour))],
-            );
-            line(xml, row as f64, entry.meaning);
+            bar(xml, top + step * row as f64 + 5.0, &16, &LETTERS, entry.colour);
+            words(xml, top + step * (row as f64 + 1.0) - 3.0, entry.meaning);
         }
-        let bottom = format!("{:.1}", height - 16.0);
-        xml.tag(
-            "rect",
-            &[
-                ("x", &18),
-                ("y", &bottom),
-                ("width", &format!("{:.1}", 50.0 * scale)),
-                ("height", &3),
-                ("fill", &"#202024"),
-            ],
-        );
-        line(xml, self.legend.len() as f64, "50 m");
+        bar(xml, height - 16.0, &format!("{:.1}", 50.0 * scale), &3, INK);
+        words(xml, top + step * (self.legend.len() as f64 + 1.0) - 3.0, "50 m");
     }
+}
+
+/// A bar of the legend.
+fn bar(xml: &mut Xml, y: f64, width: &dyn Display, height: &dyn Display, colour: Colour) {
+    let y = format!("{y:.1}");
+    xml.tag("rect", &[("x", &18), ("y", &y), ("width", width), ("height", height), ("fill", &hex(colour))]);
+}
+
+/// A text of the legend.
+fn words(xml: &mut Xml, y: f64, text: &str) {
+    let y = format!("{y:.1}");
+    let attributes: [(&str, &dyn Display); 5] =
+        [("x", &42), ("y", &y), ("font-family", &"sans-serif"), ("font-size", &LETTERS), ("fill", &hex(INK))];
+    xml.text("text", &attributes, text);
 }

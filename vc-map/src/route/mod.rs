@@ -98,26 +98,29 @@ pub struct Router {
 }
 
 impl Router {
-    /// A router for a mode.
+    /// A router for a mode. Costs sixteen searches over the map: milliseconds for some square kilometres, so that one is made for
+    /// many routes.
     pub fn new(map: &StreetMap, mode: Mode) -> Self {
         let (ground, graph) = network::network(map, mode);
         Self { map: map.clone(), mode, graph, ground }
     }
 
-    /// The fastest route from a point to a point, each at the nearest lane or pavement within 200 m. `None` without a way.
+    /// The fastest route from a point to a point, each at the nearest lane or pavement within 200 m. `None` without a way. Costs
+    /// a look at the roads between, and memory for each road of the map while it lasts.
     pub fn route(&self, from: &Point, to: &Point) -> Option<Route> {
         let (start, end) = (self.ground.near(&self.map, from, NEAR)?, self.ground.near(&self.map, to, NEAR)?);
         self.between(start, end, [None, None])
     }
 
-    /// The fastest way on foot from a point to a door. `None` for other modes and without a way.
+    /// The fastest way on foot from a point within 200 m of the walkable network to a door. `None` for other modes and without
+    /// a way. Costs as [`Self::route`].
     pub fn to_entrance(&self, from: &Point, to: EntranceId) -> Option<Route> {
         let start = self.ground.near(&self.map, from, NEAR)?;
         let (end, door) = self.door(to)?;
         self.between(start, end, [None, Some(door)])
     }
 
-    /// The fastest way on foot from a door to a door. `None` for other modes and without a way.
+    /// The fastest way on foot from a door to a door. `None` for other modes and without a way. Costs as [`Self::route`].
     ///
     /// ```
     /// # use vc_map::route::{Mode, Router};

@@ -44,9 +44,9 @@ fn dead(map: &StreetMap) -> impl Iterator<Item = MapViolation> {
         .map(|(index, _)| MapViolation::DeadLane { lane: LaneId::of(index) })
 }
 
-/// Parts of the network for cars that are not one with the largest part. Lanes from and to the edge of the map are taken to be
-/// joined beyond it.
-fn cut_off(map: &StreetMap) -> Vec<MapViolation> {
+/// Lanes as nodes, joined by the movements of cars and to their neighbours. Those from and to the edge of the map are taken to be
+/// joined beyond it, in one node more.
+fn driven(map: &StreetMap) -> DiGraph<(), ()> {
     let mut graph: DiGraph<(), ()> = DiGraph::with_capacity(map.lanes().len() + 1, map.movements().len());
     map.lanes().iter().for_each(|_| _ = graph.add_node(()));
     let beyond = graph.add_node(());
@@ -72,9 +72,14 @@ fn cut_off(map: &StreetMap) -> Vec<MapViolation> {
             graph.add_edge(node(id), beyond, ());
         }
     }
+    graph
+}
+
+/// Parts of the network for cars that are not one with the largest part.
+fn cut_off(map: &StreetMap) -> Vec<MapViolation> {
     let drives = |index: &NodeIndex| map.lanes().get(index.index()).is_some_and(|lane| lane.users.has(Users::CAR));
     let mut parts: Vec<Vec<NodeIndex>> =
-        kosaraju_scc(&graph).into_iter().map(|part| part.into_iter().filter(drives).collect()).collect();
+        kosaraju_scc(&driven(map)).into_iter().map(|part| part.into_iter().filter(drives).collect()).collect();
     parts.retain(|part: &Vec<NodeIndex>| !part.is_empty());
     parts.sort_by_key(|part| (std::cmp::Reverse(part.len()), part.iter().min().copied()));
     let lost = parts.iter().skip(1);

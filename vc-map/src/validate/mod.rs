@@ -11,6 +11,20 @@ use crate::{ConflictTable, CrossingId, JunctionId, LaneId, Light, Point, Signal,
 pub use conflicts::{missing_conflicts, short_clearances, unsafe_phases};
 
 /// Something that is wrong with a map.
+///
+/// ```
+/// # use vc_map::{Control, CrossSection, MapDraft, RoadClass, Strip};
+/// # let mut draft = MapDraft::new("street", 48.1, 11.6);
+/// # let ends = [[0.0, 0.0], [100.0, 0.0]].map(|at| draft.junction(at, Control::Edge));
+/// # let side = vec![Strip::driving(3.0, 15.0), Strip::pavement(2.0)];
+/// # let section = CrossSection { forward: side.clone(), backward: side, median: 0.0 };
+/// # draft.road(ends[0], ends[1], RoadClass::Primary, section);
+/// # let map = draft.build()?; // a fast street that leaves the map at both ends: nobody crosses it
+/// let wrong = map.validate();
+/// assert!(wrong.iter().any(|v| v.kind() == "pavements cut off" && v.place(&map).is_some()));
+/// assert!(wrong[0].to_string().ends_with("are cut off from the pavements"));
+/// # Ok::<(), vc_map::MapError>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum MapViolation {
@@ -109,7 +123,7 @@ impl MapViolation {
         }
     }
 
-    /// Its place on the map.
+    /// Its place on the map, metres; `None` if it is of another map.
     pub fn place(&self, map: &StreetMap) -> Option<Point> {
         let lane = |id: &LaneId| map.lane(*id).map(|lane| lane.line.end());
         let junction = |id: &JunctionId| map.junction(*id).map(|junction| junction.at);

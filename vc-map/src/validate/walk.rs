@@ -3,7 +3,7 @@
 use petgraph::unionfind::UnionFind;
 
 use super::MapViolation;
-use crate::{Control, CrossingId, CrossingKind, JunctionId, RoadClass, StreetMap, StripKind, WalkNodeId};
+use crate::{Control, CrossingId, CrossingKind, JunctionId, RoadClass, StreetMap, StripKind, Users, WalkNodeId};
 
 pub(super) fn violations(map: &StreetMap) -> Vec<MapViolation> {
     let mut found = cut_off(map);
@@ -35,8 +35,9 @@ fn cut_off(map: &StreetMap) -> Vec<MapViolation> {
 fn no_crossing(map: &StreetMap, id: JunctionId) -> Vec<MapViolation> {
     let Some(junction) = map.junction(id) else { return Vec::new() };
     let paved = |road: &crate::Road| {
-        let sides =
-            [true, false].map(|side| road.draft.section.side(side).iter().any(|s| s.kind == StripKind::Pavement));
+        let sides = [true, false].map(|side| {
+            road.draft.section.side(side).iter().any(|s| s.kind == StripKind::Pavement && s.users.has(Users::FOOT))
+        });
         sides == [true; 2] && road.draft.class != RoadClass::Motorway
     };
     let crossed = |road| {

@@ -117,6 +117,31 @@ fn bollards_stop_cars_and_let_bicycles_through() {
 }
 
 #[test]
+fn gates_that_nobody_opens_stop_vehicles_and_others_are_listed() {
+    for (tags, stopped) in [
+        ("barrier=gate locked=yes", Users::TRAFFIC),
+        ("barrier=lift_gate access=no", Users::TRAFFIC),
+        ("barrier=gate access=no bicycle=yes", Users::CAR | Users::BUS),
+        ("barrier=gate access=no motor_vehicle=yes", Users::BICYCLE),
+        ("barrier=gate", Users::NONE),
+        ("barrier=gate access=private", Users::NONE),
+        ("barrier=gate locked=no", Users::NONE),
+    ] {
+        let nodes = [(1, 0.0, 0.0, tags), (2, 1.0, 0.0, ""), (3, -1.0, 0.0, "")];
+        let (map, report) = import(&file(&nodes, &[(9, &[2, 1, 3], "highway=residential sidewalk=both")], ""));
+        let bans: Vec<Users> = map.draft().bans.iter().map(|ban| ban.users).collect();
+        assert_eq!(bans, vec![stopped; if stopped.is_empty() { 0 } else { 2 }], "{tags}");
+        let on = map.movements().iter().filter(|movement| movement.turn == Turn::Through);
+        assert!(on.into_iter().all(|movement| !movement.users.any(stopped)), "{tags}");
+        assert_eq!(map.walk_parts().len(), 1, "people walk through: {tags}");
+        let told =
+            report.ignored.iter().any(|(_, tag)| tag.starts_with("barrier=")) || report.unread.contains_key("barrier");
+        let told = told || report.dropped.iter().any(|(element, _)| *element == Element::Node(1));
+        assert_eq!(told, stopped.is_empty(), "{tags}: {report}");
+    }
+}
+
+#[test]
 fn restrictions_hold_for_those_and_then_when_they_say() {
     let ways: [(i64, &[i64], &str); 4] = [
         (1, &[2, 1], "highway=secondary"),

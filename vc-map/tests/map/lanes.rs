@@ -17,6 +17,13 @@ fn a_way_with_a_key_for_all_users_is_open_to_nobody_new() {
         ("highway=footway access=permissive", Users::FOOT),
         ("highway=footway access=yes bicycle=yes", Users::FOOT | Users::BICYCLE),
         ("highway=steps access=customers", Users::FOOT),
+        // Private ground is closed to those on foot unless their own key lets them in.
+        ("highway=residential access=private", Users::TRAFFIC),
+        ("highway=residential access=private sidewalk=both", Users::TRAFFIC),
+        ("highway=residential foot=private", Users::TRAFFIC),
+        ("highway=residential foot=no sidewalk=right", Users::TRAFFIC),
+        ("highway=residential access=private foot=permissive", Users::TRAFFIC | Users::FOOT),
+        ("highway=service access=private foot=designated", Users::TRAFFIC | Users::FOOT),
         ("highway=footway bicycle=dismount", Users::FOOT),
         ("highway=motorway access=yes oneway=no", Users::CAR | Users::BUS),
         ("highway=cycleway access=no bicycle=yes", Users::BICYCLE),
@@ -28,7 +35,7 @@ fn a_way_with_a_key_for_all_users_is_open_to_nobody_new() {
         let section = &map.roads()[0].draft.section;
         assert_eq!(section.users(true) | section.users(false), open, "{tags}");
     }
-    let (map, _) = street("highway=footway access=private");
+    let (map, _) = street("highway=footway access=private foot=yes");
     assert_eq!(map.roads()[0].draft.section.side(true)[0].width, 2.0);
 }
 

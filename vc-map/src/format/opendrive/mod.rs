@@ -12,7 +12,7 @@ use std::fmt::Display;
 use super::xml::Xml;
 use crate::{MovementId, Origin, Polyline, RoadId, StreetMap};
 
-/// Writes a map as OpenDRIVE.
+/// Writes a map as OpenDRIVE, in metres, radians and metres per second. Costs one pass over the map.
 ///
 /// ```
 /// use vc_map::format::opendrive;

@@ -64,15 +64,9 @@ fn edge(map: &StreetMap, xml: &mut Xml, id: RoadId, forward: bool, lanes: &[(Lan
     let Some(road) = map.road(id) else { return };
     let draft = &road.draft;
     let [from, to] = if forward { [draft.from, draft.to] } else { [draft.to, draft.from] };
-    let section = &draft.section;
-    let turned = if forward { 1.0 } else { -1.0 };
-    // The line along which the lanes of this side begin; SUMO lays them out from there.
-    let inner = road.line.offset(-map.side().sign() * turned * (section.median / 2.0 - turned * section.shift()));
-    let inner = if forward { inner } else { inner.reversed() };
-    let shape: Vec<String> = inner.points().iter().map(|p| format!("{},{}", Metres(p.x), Metres(p.y))).collect();
+    let shape = shape(map, road, forward);
     let speed = lanes.iter().map(|(_, lane)| lane.limit).fold(0.0, f64::max);
-    let (id, from, to, speed, shape) =
-        (name(id, forward), NodeName(from), NodeName(to), Metres(speed), shape.join(" "));
+    let (id, from, to, speed) = (name(id, forward), NodeName(from), NodeName(to), Metres(speed));
     let priority = 2 * draft.class.rank() - u8::from(draft.slip);
     let (kind, count) = (draft.class.word(), lanes.len());
     let mut attributes: Vec<(&str, &dyn Display)> = vec![
@@ -91,16 +85,19 @@ fn edge(map: &StreetMap, xml: &mut Xml, id: RoadId, forward: bool, lanes: &[(Lan
     }
     xml.open("edge", &attributes);
     for (index, (_, lane)) in lanes.iter().enumerate() {
-        let allow = classes(lane.users, draft.private);
-        xml.tag(
-            "lane",
-            &[
-                ("index", &index),
-                ("allow", &allow),
-                ("width", &Metres(lane.width)),
-                ("speed", &Metres(lane.limit.max(0.1))),
-            ],
-        );
+        let (allow, width, speed) =
+            (classes(lane.users, draft.private), Metres(lane.width), Metres(lane.limit.max(0.1)));
+        xml.tag("lane", &[("index", &index), ("allow", &allow), ("width", &width), ("speed", &speed)]);
     }
     xml.close();
+}
+
+/// The line along which the lanes of a side begin, in the direction of travel; SUMO lays them out from there.
+fn shape(map: &StreetMap, road: &Road, forward: bool) -> String {
+    let section = &road.draft.section;
+    let turned = if forward { 1.0 } else { -1.0 };
+    let inner = road.line.offset(-map.side().sign() * turned * (section.median / 2.0 - turned * section.shift()));
+    let inner = if forward { inner } else { inner.reversed() };
+    let points: Vec<String> = inner.points().iter().map(|p| format!("{},{}", Metres(p.x), Metres(p.y))).collect();
+    points.join(" ")
 }

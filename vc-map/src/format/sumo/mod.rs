@@ -51,7 +51,8 @@ impl SumoFiles {
 
 /// Writes a map for netconvert, into files of a name. Lost are buildings, areas, stops, bays, verges, heights and the lines of
 /// movements: netconvert makes its own, and works out from classes, slip roads and the kind of a junction who gives way.
-/// Private roads are open to vehicles that SUMO calls private and to deliveries, and closed to passenger cars.
+/// Private roads are open to vehicles that SUMO calls private and to deliveries, and closed to passenger cars. Costs one pass over
+/// the map; [`SumoFiles`] has an example.
 pub fn write(map: &StreetMap, name: &str) -> SumoFiles {
     SumoFiles {
         nodes: nodes(map),
