@@ -166,7 +166,7 @@ impl Lift {
     /// Goes on at a tick; `is_crossed` says whether somebody is between the doors.
     fn pass(&mut self, now: Tick, is_crossed: bool) {
         use LiftState::{Closing, Moving, Open, Opening, Shut};
-        let passed = now.0 - self.since.0;
+        let passed = now.0.saturating_sub(self.since.0);
         let next = match self.state {
             Shut(at) if self.calls.contains(&at) => Some(Opening(at)),
             Shut(at) => self.next_call(at).map(|to| Moving { from: at, to }),
@@ -202,7 +202,7 @@ impl Lift {
             Moving { from, to } => {
                 let (start, end) = (plan.frame_at(from as usize), plan.frame_at(to as usize));
                 let length = self.length(from, to);
-                let share = if length > 0.0 { way(now.0 - self.since.0, length) / length } else { 1.0 };
+                let share = if length > 0.0 { way(now.0.saturating_sub(self.since.0), length) / length } else { 1.0 };
                 let between = start.origin + (end.origin - start.origin) * share;
                 RegionFrame { origin: between, heading: start.heading }
             }

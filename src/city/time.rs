@@ -5,7 +5,7 @@ use vc_graph::space::RegionId;
 use vc_graph::{Action, ChangeSet, NodeId, Verb, rule};
 
 use super::{City, CityError};
-use crate::{ActionError, Interruption};
+use crate::{ActionError, Ending, Interruption};
 
 /// An action in a city that has ended, as [`City::step`] reports it.
 #[derive(Debug, Clone)]
@@ -106,8 +106,16 @@ impl City {
     /// # Errors
     /// [`CityError`], as [`Environment::set_action`](crate::Environment::set_action).
     pub fn set_action(&mut self, agent: NodeId, action: Action) -> Result<ChangeSet, CityError> {
+        let known = self.endings.len();
         self.give(agent, action)?;
-        self.finish(agent)
+        let is_refused = |ending: &CityEnding| {
+            ending.agent == agent && matches!(ending.outcome, Err(CityError::Action(ActionError::Refused(_))))
+        };
+        match (known..self.endings.len()).find(|at| is_refused(&self.endings[*at])) {
+            // Its journey goes on.
+            Some(at) => self.endings.remove(at).outcome,
+            None => self.finish(agent),
+        }
     }
 
     /// Lets time pass until an agent has ended what it was just given. Endings of before are left for [`step`](Self::step).
@@ -134,6 +142,11 @@ impl City {
         while self.tick < end {
             self.advance(end, None);
         }
+        // An order that was replaced at once has ended without a tick.
+        let untold: Vec<Ending> = self.active.values_mut().flat_map(|environment| environment.step(Span(0))).collect();
+        for ending in untold {
+            self.note(ending.tick, ending.agent, ending.action, ending.outcome.map_err(CityError::from));
+        }
         std::mem::take(&mut self.endings)
     }
 
@@ -157,7 +170,7 @@ impl City {
             to = environment.tick().max(next);
         }
         for environment in self.active.values_mut() {
-            ended.extend(environment.step(Span(to.0 - environment.tick().0)));
+            ended.extend(environment.step(Span(to.0.saturating_sub(environment.tick().0))));
         }
         self.tick = to;
         ended.sort_by_key(|ending| (ending.tick, ending.agent));

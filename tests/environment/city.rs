@@ -291,7 +291,7 @@ fn a_refused_action_leaves_a_journey() {
     let table = of_class(&city, YARD, "table");
     city.send(me, landing(1)).unwrap();
     city.step(Span(30));
-    assert!(city.set_action(me, Action::grab(table)).is_err());
+    assert!(city.set_action(me, Action::one(Verb::Eat, table)).is_err());
     let endings = city.step(Span(6000));
     assert!(endings.len() == 1 && endings[0].outcome.is_ok(), "{endings:?}");
     assert_eq!(city.region_of(me), Some(landing(1)));
