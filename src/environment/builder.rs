@@ -205,7 +205,8 @@ impl EnvironmentBuilder {
     }
 
     /// The day and time at which the environment begins. Pictures show the light of that time, which does not go on with
-    /// the clock, as it is computed anew for another hour: [`Environment::set_pictures`] sets another.
+    /// the clock, as it is computed anew for another hour: [`Environment::set_pictures`] sets another. Whole
+    /// [options of pictures](Self::pictures) that are set afterwards have an hour of their own. Day and weather change no light.
     pub fn begins_at(mut self, time: DayTime) -> Self {
         self.settings.time.begin = time;
         #[cfg(feature = "render")]
