@@ -149,6 +149,7 @@ impl Environment {
     pub(crate) fn set_leaf(&mut self, leaf: NodeId, open: bool) -> Result<(), PhysicalRefusal> {
         let moved = self.world.put_open(leaf, None, if open { 1.0 } else { 0.0 });
         moved.map_err(|why| PhysicalRefusal::from(why).in_scene(&self.graph))?;
+        self.excuse(&[leaf]);
         self.clock.about_to_change(&self.graph);
         self.clock.changed.push(leaf);
         (self.clock.stirred, self.clock.unseen) = (true, true);

@@ -89,7 +89,7 @@ impl Environment {
     fn read_doors(&mut self, met: &[NodeId]) {
         let mut about: Vec<NodeId> = Vec::new();
         for schedule in self.clock.running.values() {
-            about.extend(schedule.action.things());
+            about.extend(self.opened_or_closed(&schedule.action));
             // A door that a walker passes is as it was when the walker has passed.
             if let Track::Way(way) = &schedule.track {
                 about.extend(way.doors.iter().map(|passage| passage.door));

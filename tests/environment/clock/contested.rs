@@ -346,3 +346,30 @@ fn doors_and_drawers_that_two_open_end_as_open_as_by_one() {
     }
     assert!(tried > 100, "{tried}");
 }
+
+/// A book that is taken while somebody opens it is as open in the graph as it is.
+#[test]
+fn what_is_taken_while_it_opens_is_as_open_as_it_is() {
+    let mut tried = 0;
+    for (seed, class) in [(3, "novel"), (18, "laundry_basket"), (7, "laundry_basket")] {
+        let home = home(seed, 2);
+        let (a, b) = (home.agents()[0], home.agents()[1]);
+        for thing in home.graph().of_class(class) {
+            let mut near = home.clone();
+            if [a, b].into_iter().any(|agent| does(&mut near, agent, Action::walk(thing)).is_none()) {
+                continue;
+            }
+            for delay in [5, 15, 25, 40] {
+                let mut home = near.clone();
+                home.give(a, Action::open(thing));
+                home.step(Span(delay));
+                home.give(b, Action::grab(thing));
+                home.step(LONG);
+                let Some(state) = home.world().parts(thing).state() else { continue };
+                assert!(home.graph().node(thing).unwrap().is(state), "{seed}, {class}, {delay}: {state}");
+                tried += 1;
+            }
+        }
+    }
+    assert!(tried > 8, "{tried}");
+}
