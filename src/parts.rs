@@ -5,7 +5,7 @@ use vc_graph::hash::Digester;
 /// The bytes with which a kind of file begins.
 pub(crate) type Magic = [u8; 8];
 
-/// What is wrong with bytes that are to be a file.
+/// The fault of bytes that are to be a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum PartsFault {
     /// They are no such file, or end too early.

@@ -109,6 +109,16 @@ fn take_cup(city: &mut City, me: NodeId) -> NodeId {
     cup
 }
 
+/// Takes the cup of the yard to the table of the first landing.
+fn move_cup(city: &mut City, me: NodeId) -> NodeId {
+    let cup = take_cup(city, me);
+    city.go(me, landing(0)).unwrap();
+    let table = of_class(city, landing(0), "table");
+    city.set_action(me, Action::walk(table)).unwrap();
+    city.set_action(me, Action::place(cup, table)).unwrap();
+    cup
+}
+
 fn holds(city: &City, me: NodeId, thing: NodeId) -> bool {
     let environment = city.environment_of(me).unwrap();
     let graph = environment.graph();
@@ -301,11 +311,7 @@ fn a_refused_action_leaves_a_journey() {
 fn a_sleeping_region_is_as_if_it_had_been_watched() {
     let mut city = city(1);
     let me = city.agents().next().unwrap();
-    let cup = take_cup(&mut city, me);
-    city.go(me, landing(0)).unwrap();
-    let table = of_class(&city, landing(0), "table");
-    city.set_action(me, Action::walk(table)).unwrap();
-    city.set_action(me, Action::place(cup, table)).unwrap();
+    move_cup(&mut city, me);
     city.go(me, YARD).unwrap();
     let mut ticks = city.clone();
     city.step(Span(600));

@@ -417,7 +417,7 @@ impl Environment {
         self.clock.note(changes);
     }
 
-    /// What one has opened or shut is no longer moved by others, who may be late: it stays where it is.
+    /// A thing that one has opened or shut is no longer moved by others, who may be late: it stays where it is.
     fn let_go_of_leaves(&mut self, agent: NodeId, action: &Action) {
         let moved = self.opened_or_closed(action);
         for (_, other) in self.clock.running.iter_mut().filter(|(id, _)| **id != agent) {

@@ -11,7 +11,7 @@ use virtualcity::graph::{Action, Bounds, Draft, NodeId, Pose, Relation, SceneBui
 use virtualcity::procgen::{Apartment, Building, BuildingSpecification};
 use virtualcity::{City, RegionScenes, legal_action};
 
-use super::{House, YARD, house, house_of, landing, of_class, take_cup};
+use super::{House, YARD, house, house_of, landing, move_cup, of_class};
 
 /// A home alone, somewhere in the world.
 struct Alone(Arc<Space>);
@@ -105,11 +105,7 @@ fn homes_that_were_looked_into_are_as_they_were() {
 fn a_hundred_leavings_move_no_pose() {
     let mut city = City::of(house()).make().unwrap();
     let me = city.agents().next().unwrap();
-    let cup = take_cup(&mut city, me);
-    city.go(me, landing(0)).unwrap();
-    let table = of_class(&city, landing(0), "table");
-    city.set_action(me, Action::walk(table)).unwrap();
-    city.set_action(me, Action::place(cup, table)).unwrap();
+    let cup = move_cup(&mut city, me);
     let poses = |city: &City| -> BTreeMap<NodeId, [u32; 7]> {
         let there = city.environment(landing(0)).unwrap();
         let things = there.graph().nodes().map(|node| node.id()).filter(|id| *id != me);

@@ -58,7 +58,7 @@ fn some_action(home: &Environment, agent: NodeId, chance: &mut virtualcity::grap
     chance.pick(&all).map(|action| **action)
 }
 
-/// What the graph says of bodies is so: poses, hands, postures.
+/// Checks that bodies are as the graph has them: poses, hands, postures.
 fn is_one(home: &Environment, after: &str) {
     let graph = home.graph();
     let poses = graph.nodes().filter_map(|node| Some((node, node.pose()?, home.world().pose(node.id())?)));

@@ -29,7 +29,7 @@ pub struct HandGoal {
     pub pose: Pose,
     /// How far the fingers and the thumb close, 0 to 1, unless something is between them: 0 is open, with 0.1 m between
     /// them, 1 is closed, and between these the opening is `0.1 * (1 - grip)` metres. They open and close at 0.15 m/s each.
-    /// What is wider than that everywhere does not fit between them; what is held falls when the opening is 5 mm wider than
+    /// A thing that is wider than that everywhere does not fit between them; what is held falls when the opening is 5 mm wider than
     /// it.
     pub grip: f32,
     /// The force of the grip, newtons, 0 to 1,000: what is held slips out of the hand where more than that pulls at it.
