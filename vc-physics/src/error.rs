@@ -36,7 +36,7 @@ pub enum PhysicsError<N = NodeId> {
     #[error("{0} is locked; unlock it first")]
     Locked(N),
     /// The node would overlap another one.
-    #[error("{id} would be inside {other}; ask for a free spot")]
+    #[error("{id} would be inside {other}: put it elsewhere, or make room there first")]
     Overlap {
         /// The node that was to be placed.
         id: N,

@@ -49,6 +49,11 @@ pub(crate) fn hand() -> InteractionGroups {
     groups(LOOSE.union(HAND), FIXED.union(LEAF).union(LOOSE))
 }
 
+/// Groups of a guided hand that has just opened: what it held falls past its fingers.
+pub(crate) fn opened_hand() -> InteractionGroups {
+    groups(LOOSE.union(HAND), FIXED.union(LEAF))
+}
+
 /// Groups of colliders that collide with nothing.
 pub(crate) fn nothing() -> InteractionGroups {
     groups(CARRIED, Group::NONE)

@@ -12,8 +12,9 @@ use crate::state::Thing;
 use crate::world::PhysicsWorld;
 use crate::{BodyRole, convert, group};
 
-/// Height of a hop of a thing, metres.
+/// Height of a hop of a thing, metres, and its speed, metres per second.
 const HOP: f32 = 0.01;
+const HOPPING: f32 = 0.2;
 
 impl PhysicsWorld {
     /// The things that rest on a body, directly or through others: loose things, and things that are pinned to
@@ -80,13 +81,14 @@ impl PhysicsWorld {
     }
 
     /// The node and link on which a loose thing rests, directly or through others, if that link moves on a
-    /// joint: a drawer, a rack, an open door.
+    /// joint: a drawer, a rack, an open door. What nothing carries from below is jammed in a rack that it touches.
     pub(crate) fn rides(&self, id: NodeId) -> Option<(NodeId, usize)> {
         let turns =
             |thing: &Thing, link: usize| thing.form.links[link].joint.is_some_and(|j| j.kind == JointKind::Hinge);
-        let (mut seen, mut open) = (vec![id], vec![self.thing(id).ok()?.state.base]);
+        let (mut seen, mut open, mut carried) = (vec![id], vec![self.thing(id).ok()?.state.base], false);
         while let Some(body) = open.pop() {
             let carriers = self.carriers(body);
+            carried |= carriers.iter().any(|(below, _)| self.role(*below) != Some(BodyRole::Loose));
             // A thing on the top of a box stays there if a door below the top's edge opens.
             let stands = carriers.iter().any(|&(below, link)| link == 0 && self.role(below) == Some(BodyRole::Fixed));
             for (below, link) in carriers {
@@ -103,16 +105,31 @@ impl PhysicsWorld {
                 }
             }
         }
-        None
+        let jammed = |id: &NodeId| self.jammed_in(self.thing(*id).ok()?.state.base);
+        if carried { None } else { seen.iter().find_map(jammed) }
     }
 
-    /// Things that fell asleep during a hop, a millimetre or two above their support: they touch nothing.
+    /// The sliding part that a body touches from any side.
+    fn jammed_in(&self, body: RigidBodyHandle) -> Option<(NodeId, usize)> {
+        let slides = |(id, link): &(NodeId, usize)| {
+            let joint = self.thing(*id).ok().and_then(|thing| thing.form.links.get(*link)?.joint);
+            joint.is_some_and(|joint| joint.kind == JointKind::Slide)
+        };
+        let touched = self.pairs_of(body).filter(|pair| pair.has_any_active_contact());
+        let marks = touched
+            .flat_map(|pair| [pair.collider1, pair.collider2])
+            .filter_map(|c| self.engine.colliders.get(c).map(|collider| group::marked(collider.user_data)));
+        marks.filter(slides).min()
+    }
+
+    /// Things that fell asleep during a hop, a millimetre or two above their support, or that have just been moved with it
+    /// and begin to fall: they touch nothing.
     fn hovering_in(&self, colliders: &[ColliderHandle], displaced: &Displaced) -> Vec<NodeId> {
         let Some(around) = self.box_around(colliders.iter().copied()) else { return Vec::new() };
         let (low, high) = (around.min - Vector3::z() * HOP, around.max + Vector3::z() * HOP);
-        // A thing that has been moved is awake.
-        let sleeps = |t: &Thing| self.is_asleep(t) && displaced.get(t.state.base).is_none();
-        let loose = self.things.iter().filter(|t| t.state.role == BodyRole::Loose && sleeps(t));
+        let still = |t: &Thing| self.is_asleep(t) || self.velocity(t).norm() < HOPPING;
+        let hops = |t: &Thing| still(t) && displaced.get(t.state.base).is_none();
+        let loose = self.things.iter().filter(|t| t.state.role == BodyRole::Loose && hops(t));
         let above = |id: NodeId| {
             let own = self.aabb(id)?;
             let (centre, foot) = (own.centre(), own.min.z);
@@ -161,6 +178,28 @@ impl PhysicsWorld {
         }
         found.sort_unstable();
         found
+    }
+
+    /// The things that are pinned to moving parts which may move in this step, the bodies of these parts, and their poses.
+    pub(crate) fn ridden(&self, awake: &[RigidBodyHandle]) -> Vec<(NodeId, RigidBodyHandle, Pose)> {
+        if awake.is_empty() {
+            return Vec::new();
+        }
+        let rider = |thing: &Thing| {
+            let (id, link) = thing.state.rides.filter(|(_, link)| *link > 0)?;
+            let body = self.part_body(id, link).filter(|body| awake.contains(body))?;
+            Some((thing.id, body, self.engine.pose(body)?))
+        };
+        self.things.iter().filter_map(rider).collect()
+    }
+
+    /// Moves things that are pinned to moving parts along with these.
+    pub(crate) fn take_riders_along(&mut self, ridden: Vec<(NodeId, RigidBodyHandle, Pose)>) {
+        for (id, body, before) in ridden {
+            if let Some(now) = self.engine.pose(body).filter(|now| *now != before) {
+                self.carry_along(&[id], &(now * before.inverse()));
+            }
+        }
     }
 
     /// Moves things together, by a motion in the world's frame.

@@ -14,6 +14,7 @@ impl PhysicsWorld {
     pub fn step(&mut self) {
         let awake: Vec<RigidBodyHandle> = self.engine.awake_bodies().collect();
         let fixed = self.engine.fixed_among(&awake);
+        let ridden = self.ridden(&awake);
         self.move_agents();
         self.work_hands();
         for _ in 0..self.settings.substeps {
@@ -24,6 +25,7 @@ impl PhysicsWorld {
             stopped.into_iter().for_each(|b| self.stop(b));
         }
         self.engine.keep(&fixed);
+        self.take_riders_along(ridden);
         self.follow_hands();
         self.tend_motors();
         self.watch();

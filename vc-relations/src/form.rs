@@ -9,7 +9,7 @@ use vc_graph::asset::{Hold, Joint, Part, Shape, Surface};
 use crate::carve;
 use crate::hollow::{self, Cavity, Space};
 use crate::solid::{Round, Solid};
-use crate::threshold::{HOLLOW_LEAST, ROOF_LEAST};
+use crate::threshold::{COMPARTMENT_SINK, HOLLOW_LEAST, ROOF_LEAST};
 
 /// A convex piece in the asset's frame, with joints at zero, metres.
 #[derive(Debug, Clone, Copy)]
@@ -110,8 +110,9 @@ impl Form {
     fn compartment(&self, surface: &Surface, link: Option<u32>) -> Option<Cavity> {
         let floor = surface.centre.z;
         let top = surface.clearance.map_or(self.high.z, |c| floor + c).max(floor + HOLLOW_LEAST);
-        let half = Vector3::new(surface.half.0, surface.half.1, (top - floor) / 2.0);
-        let centre = Vector3::new(surface.centre.x, surface.centre.y, floor + half.z);
+        // What is pressed into a rack is in it still.
+        let half = Vector3::new(surface.half.0, surface.half.1, (top - floor + COMPARTMENT_SINK) / 2.0);
+        let centre = Vector3::new(surface.centre.x, surface.centre.y, top - half.z);
         let sound = half.iter().all(|&h| h > 0.0);
         let open = surface.clearance.is_none() || !self.is_roofed(&(centre + Vector3::z() * half.z));
         sound.then_some(Cavity { space: Space::Box { centre, half }, open, link })

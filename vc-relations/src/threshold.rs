@@ -107,6 +107,10 @@ pub(crate) const HOLLOW_VOLUME: f32 = 2e-5;
 /// Least height of a compartment declared by an asset, metres.
 pub(crate) const HOLLOW_LEAST: f32 = 0.02;
 
+/// How far below the floor of a declared compartment its space begins, metres: a plate that is pressed into the wires of a
+/// rack sinks so far.
+pub(crate) const COMPARTMENT_SINK: f32 = 0.025;
+
 /// Least height of a part above a compartment's top for it to be a roof, metres: more than the compartment's
 /// own walls stand out by rounding.
 pub(crate) const ROOF_LEAST: f32 = 0.005;

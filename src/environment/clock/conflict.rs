@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use nalgebra::Point2;
+use vc_graph::asset::JointKind;
 use vc_graph::clock::{Span, Tick};
 use vc_graph::{Action, Change, ChangeSet, NodeId, Pose, Refusal, SceneGraph, rule};
 
@@ -17,6 +18,10 @@ pub(super) const WAITS: Span = Span(600);
 pub(super) const WAIT: Span = Span(15);
 /// Ticks between poses that are compared.
 const COARSE: usize = 6;
+/// The openness of a door up to which racks behind it stay in.
+const BEFORE_RACKS: f32 = 0.8;
+/// The openness from which on a door is elsewhere.
+const MOVED: f32 = 1e-3;
 /// How many openings are tried to find room for a door.
 const TRIED: u32 = 20;
 
@@ -128,7 +133,7 @@ impl Environment {
     /// Moves a door that somebody passes or has passed, past those who walk and one more.
     fn move_passed_door(&mut self, door: NodeId, open: f32, past: Option<NodeId>) {
         let now = self.world.parts(door).openness();
-        if now.is_none_or(|now| (now - open).abs() <= 1e-3) {
+        if now.is_none_or(|now| (now - open).abs() <= MOVED) {
             return;
         }
         let walks = |(agent, schedule): (&NodeId, &Schedule)| schedule.track.way().map(|_| *agent);
@@ -141,8 +146,17 @@ impl Environment {
         }
     }
 
-    fn put_parts(&mut self, thing: NodeId, ends: &[f32]) {
-        ends.iter().enumerate().for_each(|(part, open)| drop(self.world.put_open(thing, Some(part), *open)));
+    /// Puts the parts of a thing as far open as they are to be, racks no farther than the doors before them allow.
+    pub(super) fn put_parts(&mut self, thing: NodeId, ends: &[f32]) {
+        let parts = self.world.parts(thing).all();
+        let doors = parts.iter().zip(ends).filter(|(part, _)| part.kind == JointKind::Hinge).map(|(_, open)| *open);
+        let least = doors.reduce(f32::min).unwrap_or(1.0);
+        let out = ((least - BEFORE_RACKS) / (1.0 - BEFORE_RACKS)).clamp(0.0, 1.0);
+        for (index, (part, open)) in parts.iter().zip(ends).enumerate() {
+            let open = if part.kind == JointKind::Slide { open.min(out) } else { *open };
+            // The part is there.
+            let _ = self.world.put_open(thing, Some(index), open);
+        }
     }
 
     /// Opens furniture in whose door's way somebody stands, as far as there is room for its door beside that one.
@@ -161,12 +175,13 @@ impl Environment {
     }
 
     /// Doors that a walker has passed, or was about to, are as open as by themselves, if nobody else passes them; one in
-    /// whose doorway the walker has been stopped is as open as it was by then.
-    pub(super) fn leave_doors(&mut self, agent: NodeId, way: &Way) {
+    /// whose doorway the walker has been stopped is as open as it was by then. Returns those that are not, as somebody
+    /// stands there.
+    pub(super) fn leave_doors(&mut self, agent: NodeId, way: &Way) -> Vec<NodeId> {
         let now = self.tick();
         let is_passed = |door| self.ways(agent).any(|(_, theirs)| theirs.in_doorway(door).is_some());
         let left: Vec<&Passage> = way.doors.iter().filter(|passage| !is_passed(passage.door)).collect();
-        for passage in left {
+        for passage in &left {
             let inside = |(from, to)| from <= now && now <= to && now < way.end();
             if is_between_rooms(&self.graph, passage.door) && way.in_doorway(passage.door).is_some_and(inside) {
                 self.move_passed_door(passage.door, passage.open(way, now), Some(agent));
@@ -174,6 +189,10 @@ impl Environment {
                 self.move_passed_door(passage.door, passage.own, None);
             }
         }
+        let stays = |passage: &&&Passage| {
+            self.world.parts(passage.door).openness().is_some_and(|now| (now - passage.own).abs() > MOVED)
+        };
+        left.iter().filter(stays).map(|passage| passage.door).collect()
     }
 
     /// Ends the actions that the rule allows no longer since something came true in this tick: a door has been shut before

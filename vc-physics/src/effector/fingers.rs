@@ -55,6 +55,11 @@ impl Jaw {
         self.slab(open, HALF[self as usize].z, 0.0)
     }
 
+    /// The space from the middle between fingers and thumb to the outside of this jaw.
+    pub(super) fn reach(self, open: f32) -> Piece {
+        self.slab(0.0, open / 2.0 + HALF[self as usize].z, 0.0)
+    }
+
     /// A slab from a distance outwards, of half a thickness, smaller all around.
     fn slab(self, from: f32, thickness: f32, smaller: f32) -> Piece {
         let half = HALF[self as usize];
@@ -116,7 +121,11 @@ impl PhysicsWorld {
     }
 
     /// The nodes and links that a piece of a hand meets; people are soft.
-    fn in_way(&self, effector: &Effector, (shape, pose): Piece) -> impl Iterator<Item = (NodeId, usize)> + use<> {
+    pub(super) fn in_way(
+        &self,
+        effector: &Effector,
+        (shape, pose): Piece,
+    ) -> impl Iterator<Item = (NodeId, usize)> + use<> {
         let at = self.engine.pose(effector.body).unwrap_or_else(Pose::identity) * pose;
         let is_thing = |c: &Collider| !self.agents.contains_key(&group::marked(c.user_data).0);
         let solid = |_: ColliderHandle, c: &Collider| group::is_solid(c) && is_thing(c);

@@ -2,13 +2,14 @@
 
 use nalgebra::Point3;
 use rapier3d::dynamics::{GenericJoint, ImpulseJointHandle, JointAxesMask, RigidBodyHandle, RigidBodyType};
+use rapier3d::geometry::{Collider, InteractionGroups};
 use vc_graph::{NodeId, Pose};
 
 use super::arm::pull;
-use super::fingers::SPAN;
+use super::fingers::{Jaw, SPAN};
 use crate::state::{Grasp, Hand};
 use crate::world::PhysicsWorld;
-use crate::{AgentError, PhysicsError, convert, group};
+use crate::{AgentError, BodyRole, PhysicsError, convert, group};
 
 /// How far what is held slips in the hand before it is out of it, metres.
 const SLIP: f32 = 0.03;
@@ -75,7 +76,7 @@ impl PhysicsWorld {
     }
 
     /// The body of a moving part, if it has one of its own.
-    pub(super) fn part_body(&self, id: NodeId, link: usize) -> Option<RigidBodyHandle> {
+    pub(crate) fn part_body(&self, id: NodeId, link: usize) -> Option<RigidBodyHandle> {
         self.thing(id).ok()?.state.moving.get(link.checked_sub(1)?)?.body
     }
 
@@ -141,8 +142,43 @@ impl PhysicsWorld {
                 self.unfasten(agent, hand);
                 Ok(self.leave_part(grasp.id, grasp.link - 1)?)
             }
-            Some(_) if self.held(agent, hand).is_some() => self.free_hand(agent, hand, None).map(drop),
+            Some(_) if self.held(agent, hand).is_some() => {
+                self.free_hand(agent, hand, None)?;
+                self.join_groups(agent, hand, group::opened_hand());
+                Ok(())
+            }
             _ => Ok(()),
+        }
+    }
+
+    /// Lets a hand that was opened meet loose things again, once nothing falls past its fingers any more.
+    pub(super) fn meet_things_again(&mut self, agent: NodeId, hand: Hand) {
+        let Some(effector) = self.effectors.get(&(agent, hand)) else { return };
+        let groups = self.engine.colliders.get(effector.jaws[0]).map(Collider::collision_groups);
+        if groups != Some(group::opened_hand()) {
+            return;
+        }
+        let falls = |(id, _): (NodeId, usize)| self.role(id) == Some(BodyRole::Loose) && self.is_falling(id);
+        let passes = |jaw: Jaw| self.in_way(effector, jaw.reach(effector.open[jaw as usize])).any(falls);
+        if effector.grasp.is_some() || !Jaw::BOTH.into_iter().any(passes) {
+            self.join_groups(agent, hand, group::hand());
+        }
+    }
+
+    /// Whether a thing moves faster than one that has begun to fall in the last step.
+    fn is_falling(&self, id: NodeId) -> bool {
+        let begun = self.settings.gravity * self.settings.dt / 2.0;
+        let base = self.thing(id).ok().and_then(|thing| self.engine.bodies.get(thing.state.base));
+        begun > 0.0 && base.is_some_and(|base| base.linvel().length() > begun)
+    }
+
+    /// Gives the palm, the fingers and the thumb of a guided hand other collision groups.
+    fn join_groups(&mut self, agent: NodeId, hand: Hand, groups: InteractionGroups) {
+        let body = self.effectors.get(&(agent, hand)).and_then(|hand| self.engine.body_mut(hand.body));
+        for collider in body.map_or_else(Vec::new, |body| body.colliders().to_vec()) {
+            if let Some(collider) = self.engine.colliders.get_mut(collider) {
+                collider.set_collision_groups(groups);
+            }
         }
     }
 

@@ -88,6 +88,7 @@ impl PhysicsWorld {
     /// Pulls guided hands on, opens and closes them.
     pub(crate) fn work_hands(&mut self) {
         for (agent, hand) in self.guided() {
+            self.meet_things_again(agent, hand);
             if self.loses(agent, hand) {
                 // It holds something.
                 let _ = self.let_go(agent, hand);

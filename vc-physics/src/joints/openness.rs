@@ -11,6 +11,11 @@ use crate::{PhysicsError, convert};
 
 /// Smallest share of its range that a part opens if it cannot open completely.
 const HALF: f32 = 0.5;
+/// The vertical part of an axis from which on a door swings to the side, and the shares of its way from which on such a
+/// door, and one that folds down, is out of the way of the drawers and racks behind it.
+const UPRIGHT: f32 = 0.7;
+const ASIDE: f32 = 0.7;
+const DOWN: f32 = 0.995;
 
 /// # Opening at once
 impl PhysicsWorld {
@@ -19,7 +24,8 @@ impl PhysicsWorld {
     /// gives way to it. The parts then end where [`drive`](Self::drive) takes
     /// them, except in two cases in which `drive` would press a part against things: a part that cannot open
     /// completely, because its contents would hit a wall, opens as far as possible if that is at least half of
-    /// the range; a drawer that cannot open stays closed if others open.
+    /// the range; a drawer that cannot open stays closed if others open, and drawers beside a door that cannot open
+    /// completely stay as they are.
     ///
     /// Doors and lids open before drawers, whose contents would be in their way, and close after them. Where it returns
     /// false, the parts that came before the one that is stuck have moved; [`PartsView::plan`](crate::PartsView::plan)
@@ -117,6 +123,12 @@ impl<'w> Plan<'w> {
         }
         if !self.each(doors)? {
             return Ok(false);
+        }
+        let is_upright = |part: usize| thing.form.links[part + 1].joint.is_some_and(|j| j.axis.z.abs() > UPRIGHT);
+        let clears = |&(part, open): &(usize, f32)| open >= self.open * if is_upright(part) { ASIDE } else { DOWN };
+        if !self.moves.iter().all(clears) {
+            // What is in a rack would hit a door that stands half open before it.
+            return Ok(self.openness() >= HALF);
         }
         // A drawer that stays closed does not matter if another part is open.
         Ok(self.each(drawers)? || self.openness() >= HALF)

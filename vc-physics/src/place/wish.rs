@@ -20,7 +20,8 @@ const OUT: f32 = 0.005;
 /// A spot that is asked for, as far as it is.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct SpotWish {
-    /// The point at which the thing's origin is to be, seen from above, metres.
+    /// The point at which the thing's origin is to be, seen from above, metres: on the highest of the surfaces there that
+    /// has room, unless a height is stated.
     pub point: Option<Point2<f32>>,
     /// The height of the surface, metres.
     pub height: Option<f32>,
@@ -60,7 +61,11 @@ impl SpotSearch {
             let far = |height: f32| (shelf.pose.translation.z - height).abs();
             wish.surface.is_none_or(|asked| asked == *index) && wish.height.is_none_or(|height| far(height) <= LEVEL)
         };
-        let shelves: Vec<SupportSurface> = shelves.filter(is_meant).map(|(_, shelf)| shelf).collect();
+        let mut shelves: Vec<SupportSurface> = shelves.filter(is_meant).map(|(_, shelf)| shelf).collect();
+        if wish.point.is_some() {
+            let height = |shelf: &SupportSurface| shelf.pose.translation.z;
+            shelves.sort_by(|a, b| height(b).total_cmp(&height(a)));
+        }
         let ways = self.ways().iter().filter(|way| !way.across);
         let mut fault = SpotFault::OffSurface;
         for (way, shelf) in ways.flat_map(|way| shelves.iter().map(move |shelf| (way, shelf))) {

@@ -104,6 +104,27 @@ fn a_cup_is_held_lifted_and_let_go() {
     assert!((position(&world, home.cup).z - 0.741).abs() < 0.1, "it fell: {}", position(&world, home.cup));
 }
 
+/// A hand that opens with fingers or thumb below a thing does not carry it on: it falls past them.
+#[test]
+fn what_an_open_hand_lets_go_falls_past_the_fingers() {
+    for turn in [0.0, 2.0 * QUARTER] {
+        let (home, mut world) = at_the_table();
+        let (me, over) = (home.person, ahead([0.6, 0.0, 1.2], turn));
+        take_cup(&mut world, &home);
+        guide(&mut world, me, over, 1.0, 90);
+        assert_eq!(world.held(me, Hand::Right), Some(home.cup));
+        guide(&mut world, me, over, 0.0, 120);
+        assert_eq!(world.held(me, Hand::Right), None);
+        let cup = position(&world, home.cup);
+        assert!(cup.z < 0.85, "{cup}");
+        // It meets the cup again.
+        guide(&mut world, me, ahead([0.4, 0.0, 1.2], 0.0), 1.0, 60);
+        guide(&mut world, me, ahead([cup.x - 0.3, cup.y, 0.8], 0.0), 1.0, 90);
+        guide(&mut world, me, ahead([cup.x + 0.1, cup.y, 0.8], 0.0), 1.0, 60);
+        assert!((position(&world, home.cup) - cup).norm() > 0.05, "{cup}");
+    }
+}
+
 #[test]
 fn what_is_pulled_harder_than_the_grip_slips() {
     let (home, mut world) = at_the_table();

@@ -59,7 +59,10 @@ impl Environment {
             still.show_body(self, agent, schedule);
         }
         // Doors and drawers are there and can be open so far.
-        self.passed_doors().into_iter().for_each(|(door, open)| drop(still.world.put_open(door, None, open)));
+        for (door, open) in self.passed_doors() {
+            let parts = still.world.parts(door).all().len();
+            still.put_parts(door, &vec![open; parts]);
+        }
         // For the moment between two ticks things may be where no relation can be told; then those before hold.
         drop(still.read_moved());
         still
