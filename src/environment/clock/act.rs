@@ -43,6 +43,7 @@ impl Environment {
     /// # Errors
     /// [`ActionError`]. After [`ActionError::Refused`], [`ActionError::Busy`] and [`ActionError::Twice`] nothing has
     /// changed; after another error the world is as it was when the action could not go on: the agent may have walked.
+    /// One that takes longer than a day is interrupted after that day, unlike by [`give`](Self::give).
     /// [`can_do`](Self::can_do) tries an action on a copy.
     pub fn set_action(&mut self, agent: NodeId, action: Action) -> Result<ChangeSet, ActionError> {
         self.set_actions(&[(agent, action)]).pop().unwrap_or_else(|| Ok(ChangeSet::default()))

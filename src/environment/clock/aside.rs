@@ -47,7 +47,11 @@ impl Environment {
             return None;
         }
         let met = self.in_the_way(agent, &self.straight(agent, walk));
-        met.first().copied().filter(|other| met.len() == 1 && self.is_idle(*other))
+        // Whoever stands where the walk ends could not step back.
+        let leaves_room = |other: &NodeId| {
+            self.world.pose(*other).is_some_and(|at| (spot(&at) - spot(&walk.feet)).norm() >= walk.apart)
+        };
+        met.first().copied().filter(|other| met.len() == 1 && self.is_idle(*other) && leaves_room(other))
     }
 
     /// Whether an agent has nothing to do, and makes way for nobody yet.
@@ -100,6 +104,8 @@ impl Environment {
         if stands && !is_there && self.world.teleport(agent, feet).is_ok() {
             self.clock.changed.push(agent);
             self.clock.stirred = true;
+            // Nobody's action answers for the room to which that leads.
+            self.excuse(&self.graph.carried_with(agent));
         }
     }
 

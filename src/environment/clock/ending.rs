@@ -3,8 +3,8 @@
 use vc_graph::clock::Tick;
 use vc_graph::{Action, ChangeSet, Label, NodeId, Refusal};
 
-use crate::environment::ActionError;
 use crate::environment::error::in_a_row;
+use crate::environment::{ActionError, Attempt};
 
 /// An action that has ended, as [`Environment::step`](crate::Environment::step) reports it.
 #[derive(Debug, Clone, PartialEq)]
@@ -68,7 +68,7 @@ pub enum Interruption {
     Cancelled,
     /// The agent was given another action.
     #[error("another action was given: {0}")]
-    Replaced(Action),
+    Replaced(Attempt),
 }
 
 fn something(labels: &[Label]) -> String {

@@ -4,7 +4,7 @@ use std::collections::VecDeque;
 
 use vc_graph::asset::JointKind;
 use vc_graph::{Action, Effect, NodeId, Pose, rule};
-use vc_physics::{MovingPart, Posture};
+use vc_physics::{AgentError, MovingPart, PhysicsError, Posture};
 
 use super::Interruption;
 use super::passing::Walk;
@@ -30,7 +30,7 @@ impl Environment {
             return;
         }
         if self.clock.running.contains_key(&agent) {
-            self.interrupt_for(agent, Interruption::Replaced(action));
+            self.interrupt_for(agent, Interruption::Replaced(Attempt::new(&action, &self.graph)));
             // That may have left things otherwise.
             if self.is_refused(agent, &action) {
                 return;
@@ -316,8 +316,9 @@ impl Environment {
         }
         if !pushed {
             let (world, start, before) = (&mut self.world, &self.start, &self.graph);
-            let done = Bodies { world, start, before, agent }.perform(&motion);
-            done.map_err(|why| self.cannot(agent, why))?;
+            if let Err(why) = (Bodies { world, start, before, agent }).perform(&motion) {
+                return if self.puts_elsewhere(agent, &motion, &why) { Ok(()) } else { Err(self.cannot(agent, why)) };
+            }
         }
         if let BodyMotion::Fold(id, scale) = motion {
             self.clock.about_to_change(&self.graph);
@@ -329,15 +330,16 @@ impl Environment {
             self.clock.changed.push(id);
             self.look_anew();
         }
-        if let Track::Way(way) = &track {
-            self.leave_doors(agent, way);
-        }
+        let mut others = track.way().map_or_else(Vec::new, |way| self.leave_doors(agent, way));
+        let aside = track.way().into_iter().flat_map(|way| &way.aside);
+        others.extend(aside.flat_map(|step| self.graph.carried_with(step.agent)));
         if true_now && self.goes_after(agent)? {
             return Ok(());
         }
         if true_now {
             self.come_true(agent);
         }
+        self.excuse(&others);
         if !matches!(motion, BodyMotion::Gesture(..)) {
             self.clock.stirred = true;
             self.clock.changed.push(agent);
@@ -346,6 +348,26 @@ impl Environment {
             self.tell_taken(agent, thing);
         }
         if pushed { self.check_opened(agent) } else { Ok(()) }
+    }
+
+    /// Whether an agent whose hand is where it puts something down, and where somebody else has put something meanwhile,
+    /// looks for another spot.
+    fn puts_elsewhere(&mut self, agent: NodeId, motion: &BodyMotion, why: &PhysicalRefusal) -> bool {
+        let taken = matches!(why, PhysicalRefusal::Agent(AgentError::World(PhysicsError::Overlap { .. })));
+        let (now, words) = (self.tick(), self.graph.vocabulary());
+        let puts = taken && matches!(motion, BodyMotion::Put(_));
+        let Some(schedule) = self.clock.running.get_mut(&agent).filter(|s| puts && s.chases < CHASES) else {
+            return false;
+        };
+        let is_put = |effect: &Effect<NodeId>| matches!(effect, Effect::PutOn(..) | Effect::PutInto(..));
+        let Some(put) = rule::effects(words, &schedule.action).into_iter().find(is_put) else { return false };
+        if !schedule.action.aim.is_nothing() {
+            return false;
+        }
+        schedule.tasks = VecDeque::from([Task::Effect(put)]);
+        (schedule.motions, schedule.chases) = (VecDeque::new(), schedule.chases + 1);
+        (schedule.phase, schedule.until) = (Phase::Back, now);
+        true
     }
 
     /// Whether an agent has to go on after somebody who has walked on meanwhile.
@@ -357,7 +379,8 @@ impl Environment {
             _ => None,
         };
         let goal = rule::effects(self.graph.vocabulary(), &action).into_iter().find_map(goes_to);
-        let Some(goal) = goal.filter(|id| self.graph.agents().contains(id)) else { return Ok(false) };
+        let is_somebody = |id: &NodeId| self.start.time.bodies && self.graph.agents().contains(id);
+        let Some(goal) = goal.filter(is_somebody) else { return Ok(false) };
         self.clock.changed.push(agent);
         // A relation that cannot be told now is read at the end.
         drop(self.read_moved());
@@ -434,7 +457,8 @@ impl Environment {
         }
     }
 
-    /// Others do not answer for what a hand touches.
+    /// Nobody answers for what a hand under control touches, for a door that others keep from shutting, or for those who
+    /// make way.
     pub(in crate::environment) fn excuse(&mut self, touched: &[NodeId]) {
         for truth in self.clock.running.values_mut().filter_map(|other| other.truth.as_mut()) {
             let new = touched.iter().filter(|id| !truth.excused.contains(id)).copied().collect::<Vec<NodeId>>();

@@ -28,7 +28,7 @@ use vc_graph::{Action, ChangeSet, Event, Label, NodeId, SceneGraph};
 use vc_physics::{PhysicsWorld, RestProgress};
 
 use super::control::Controls;
-use super::{ActionError, Environment, EnvironmentState, PhysicalRefusal};
+use super::{ActionError, Attempt, Environment, EnvironmentState};
 
 pub use ending::{Ending, Interruption};
 pub(super) use processes::TimeSettings;
@@ -133,7 +133,7 @@ impl Environment {
     /// ```
     pub fn give(&mut self, agent: NodeId, action: Action) {
         if let Some(before) = self.clock.given.insert(agent, action) {
-            let error = self.interrupted(&before, Interruption::Replaced(action));
+            let error = self.interrupted(&before, Interruption::Replaced(Attempt::new(&action, &self.graph)));
             self.end(agent, before, Err(error));
         }
     }
@@ -187,21 +187,10 @@ impl Environment {
         self.world.pass(left.0);
     }
 
-    /// Lets a tick pass in which something moves; returns the changes that were noted before.
-    pub(super) fn pass_tick(&mut self) -> ChangeSet {
-        let before = std::mem::take(&mut self.clock.journal);
+    /// Lets a tick pass in which something moves.
+    pub(super) fn pass_tick(&mut self) {
         self.clock.stirred = true;
         self.advance(self.tick() + Span(1));
-        before
-    }
-
-    /// Reads what has moved; returns the changes since those that were noted before.
-    pub(super) fn seen_since(&mut self, before: ChangeSet) -> Result<ChangeSet, PhysicalRefusal> {
-        self.clock.unseen = true;
-        self.read_moved()?;
-        let since = self.clock.journal.clone();
-        self.clock.journal = before.then(since.clone());
-        Ok(since)
     }
 
     /// Lets time pass while something is the case, at most until a tick.
@@ -229,8 +218,10 @@ impl Environment {
         self.clock.given.get(&agent).or_else(|| self.clock.running.get(&agent).map(|schedule| &schedule.action))
     }
 
-    /// The changes of the graph since the last action that was done: those of bodies under [control](Self::control) with
-    /// them. The changes of the next action begin with these.
+    /// The changes of the graph since the last action that was done: also those by [control](Self::control),
+    /// [`steer`](Self::steer), [`spawn`](Self::spawn), [`put`](Self::put), [`teleport`](Self::teleport) and
+    /// [`switch_lamps`](Self::switch_lamps), and by processes. The changes of the next action begin with these. A thing that
+    /// was spawned has an asset of the library that [`graph`](Self::graph) has since then.
     pub fn changes(&self) -> &ChangeSet {
         &self.clock.journal
     }

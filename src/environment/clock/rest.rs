@@ -101,6 +101,10 @@ impl Environment {
             (is_door && !node.is(now) && !about.contains(id)).then_some((*id, now))
         };
         let doors: Vec<(NodeId, State)> = met.iter().filter_map(differs).collect();
+        if !self.clock.controls.all.is_empty() {
+            // A hand under control may have let it go, so that it goes on by itself.
+            self.excuse(&doors.iter().map(|(id, _)| *id).collect::<Vec<NodeId>>());
+        }
         let mut edit = self.graph.edit();
         // They are there and have the other state.
         doors.into_iter().for_each(|(id, state)| drop(edit.enter_state(id, state)));

@@ -40,7 +40,7 @@ pub(super) struct Schedule {
     pub(super) until: Tick,
     #[serde(skip)]
     pub(super) truth: Option<Truth>,
-    /// How often it has gone after somebody who walked on.
+    /// How often it has begun anew, as somebody walked on or has taken the spot.
     pub(super) chases: u32,
     /// Since when it waits for those who stand in its way.
     pub(super) waits: Option<Tick>,

@@ -222,7 +222,7 @@ fn is_true(home: &Environment, ending: &Ending) -> bool {
             Interruption::Shut { door, by } => home.current_action(by.id).is_some_and(|a| a.object == Some(door.id)),
             Interruption::InDoorway { by, .. } => home.current_action(by.id).is_some(),
             Interruption::WalksAway(other) => !graph.near(ending.agent, other.id),
-            Interruption::Replaced(action) => home.current_action(ending.agent) == Some(action),
+            Interruption::Replaced(other) => home.current_action(ending.agent).copied() == other.action(),
             _ => false,
         },
         _ => true,

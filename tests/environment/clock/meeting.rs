@@ -2,8 +2,8 @@
 
 use nalgebra::Point2;
 use virtualcity::graph::clock::Span;
-use virtualcity::graph::{Action, NodeId, Seed, State, Verb};
-use virtualcity::{Ending, Environment, Interruption};
+use virtualcity::graph::{Action, Node, NodeId, NodeKind, Seed, State, Verb};
+use virtualcity::{ActionError, Ending, Environment, Interruption};
 
 use super::{home, interruption};
 
@@ -179,5 +179,39 @@ fn stops_come_to_the_same() {
         });
         assert_eq!(told, endings, "{name}: saved in the middle");
         assert!(other.save().unwrap() == last, "{name}: saved in the middle");
+    }
+}
+
+/// Several who walk to one thing, again and again, with pauses: nobody ends in anybody, and no outcome is told against
+/// somebody who has only been passed, or kept a door from shutting.
+#[test]
+fn many_walk_to_one_thing() {
+    for (number, agents) in [(29_939, 4), (87_033, 3), (84_210, 4), (42, 4)] {
+        let mut home = home(number, agents);
+        let all = home.agents().to_vec();
+        let things: Vec<NodeId> = home.graph().nodes().filter(|n| n.kind() == NodeKind::Object).map(Node::id).collect();
+        let mut stream = Seed(number).child("many walk").stream();
+        for round in 0..vc_testkit::amount(4, 40) {
+            let goal = *stream.pick(&things).unwrap();
+            let mut endings = Vec::new();
+            for agent in &all {
+                home.give(*agent, Action::walk(goal));
+                endings.extend(home.step(Span(if stream.chance(0.5) { 0 } else { stream.below(120) as u64 })));
+            }
+            endings.extend(home.step_until_idle(Span(20_000)));
+            for ending in &endings {
+                let error = ending.outcome.as_ref().err();
+                let differs = matches!(error, Some(ActionError::Disagreement(_)));
+                assert!(!differs, "home {number}, round {round}: {error:?}");
+            }
+            home.step(Span(60));
+            let feet = |id: &NodeId| home.world().pose(*id).unwrap().translation.vector;
+            for (i, one) in all.iter().enumerate() {
+                for other in &all[..i] {
+                    let far = (feet(one) - feet(other)).norm();
+                    assert!(far > LEAST, "home {number}, round {round}: {one} and {other} are {far} m apart");
+                }
+            }
+        }
     }
 }
