@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use nalgebra::Point2;
 use vc_graph::{
-    Class, Draft, EditError, Effect, Label, Node, NodeId, ObjectRole, Place, Pose, Property, Relation, SceneBuilder,
-    SceneGraph, Seed, State, did_you_mean, rule,
+    ChangeSet, Class, Draft, EditError, Effect, Label, Node, NodeId, ObjectRole, Place, Pose, Property, Relation,
+    SceneBuilder, SceneGraph, Seed, State, did_you_mean, rule,
 };
 use vc_physics::{BodyRole, Floor, Posture};
 use vc_tasks::initial::Stock;
@@ -146,7 +146,10 @@ impl Environment {
     /// # Errors
     /// [`AlterError`]; then nothing has changed.
     pub fn spawn(&mut self, class: &str, place: Place) -> Result<NodeId, AlterError> {
-        self.refuse_while_busy()?;
+        self.altered(|home| home.add(class, place))
+    }
+
+    fn add(&mut self, class: &str, place: Place) -> Result<NodeId, AlterError> {
         let known = self.graph.classes().get(class).ok_or_else(|| self.no_such_class(class))?;
         if let Some(why) = no_thing(known) {
             return Err(AlterError::NoThing { class: known.name.to_string(), why });
@@ -156,7 +159,6 @@ impl Environment {
         let seed = Seed(self.graph.len() as u64).child("spawn");
         let draft = Catalogue::default().thing(known, seed, &self.graph, &mut library);
         let draft: Draft = draft.ok_or_else(|| AlterError::NoGenerator(known.name.to_string()))?;
-        let mut next = self.clone();
         let mut builder = SceneBuilder::from_graph(self.graph.clone());
         builder.assets(Arc::new(library));
         // Somewhere far below, until it has a spot.
@@ -164,16 +166,15 @@ impl Environment {
         let mut edit = builder.edit();
         edit.place(id, place)?;
         edit.commit();
-        next.graph = builder.build();
-        let inserted = next.world.insert(&next.graph, id, &next.start.shapes);
-        inserted.map_err(|e| next.impossible(e))?;
-        next.set_down(id, place)?;
-        observe::write_poses(&mut next.graph, &next.world)?;
-        next.relations.rebuild(&next.graph).map_err(PhysicalRefusal::from)?;
-        next.settle(&[id])?;
-        next.stays(id, place)?;
-        next.look_anew();
-        *self = next;
+        self.graph = builder.build();
+        let inserted = self.world.insert(&self.graph, id, &self.start.shapes);
+        inserted.map_err(|e| self.impossible(e))?;
+        self.set_down(id, place)?;
+        observe::write_poses(&mut self.graph, &self.world)?;
+        self.relations.rebuild(&self.graph).map_err(PhysicalRefusal::from)?;
+        self.settle(&[id])?;
+        self.stays(id, place)?;
+        self.look_anew();
         Ok(id)
     }
 
@@ -186,7 +187,10 @@ impl Environment {
     /// # Errors
     /// [`AlterError`]; then nothing has changed.
     pub fn put(&mut self, thing: NodeId, place: Place) -> Result<(), AlterError> {
-        self.refuse_while_busy()?;
+        self.altered(|home| home.move_to(thing, place))
+    }
+
+    fn move_to(&mut self, thing: NodeId, place: Place) -> Result<(), AlterError> {
         self.graph.node(thing).ok_or(AlterError::NoSuchNode(thing))?;
         let place = self.checked(place)?;
         let moves = |role| matches!(role, BodyRole::Loose | BodyRole::Hung);
@@ -196,24 +200,21 @@ impl Environment {
         let load =
             self.graph.carried_with(thing).into_iter().filter(|id| execute::comes_along(&self.graph, *id, thing));
         let load: Vec<(NodeId, Pose)> = load.filter_map(|id| Some((id, self.world.pose(id)?))).collect();
-        let mut next = self.clone();
-        next.set_down(thing, place)?;
+        self.set_down(thing, place)?;
         // A thing that hung is taken down.
-        next.world.wake(thing).map_err(|e| self.impossible(e))?;
-        let motion = next.world.pose(thing).map_or_else(Pose::identity, |pose| pose * before.inverse());
+        self.world.wake(thing).map_err(|e| self.impossible(e))?;
+        let motion = self.world.pose(thing).map_or_else(Pose::identity, |pose| pose * before.inverse());
         for (id, pose) in &load {
-            let along = stale::take_along(&mut next.world, (*id, motion * pose), thing);
+            let along = stale::take_along(&mut self.world, (*id, motion * pose), thing);
             along.map_err(|e| self.impossible(e))?;
         }
         // The contents change rooms with it before relations are read.
-        let mut edit = next.graph.edit();
+        let mut edit = self.graph.edit();
         edit.place(thing, place)?;
         edit.commit();
         let moved: Vec<NodeId> = load.into_iter().map(|(id, _)| id).chain([thing]).collect();
-        next.settle(&moved)?;
-        next.stays(thing, place)?;
-        *self = next;
-        Ok(())
+        self.settle(&moved)?;
+        self.stays(thing, place)
     }
 
     /// Puts an agent elsewhere at once: at a point of the free floor, facing the same way as before, or near the
@@ -238,33 +239,32 @@ impl Environment {
     /// # Errors
     /// [`AlterError`]; then nothing has changed.
     pub fn teleport(&mut self, agent: NodeId, to: impl Into<Spot>) -> Result<(), AlterError> {
-        self.refuse_while_busy()?;
+        let to = to.into();
+        self.altered(|home| home.transfer(agent, to))
+    }
+
+    fn transfer(&mut self, agent: NodeId, to: Spot) -> Result<(), AlterError> {
         let Some(before) = self.world.pose(agent).filter(|_| self.agents().contains(&agent)) else {
             return Err(AlterError::NotAnAgent(self.graph.label(agent)));
         };
-        let mut next = self.clone();
-        next.floor.update(&next.world);
-        let to = to.into();
-        let point = next.standing(agent, to)?;
-        let feet = nalgebra::Translation3::new(point.x, point.y, next.floor.options().level);
-        next.make_way(agent, &point)?;
+        self.floor.update(&self.world);
+        let point = self.standing(agent, to)?;
+        let feet = nalgebra::Translation3::new(point.x, point.y, self.floor.options().level);
+        self.make_way(agent, &point)?;
         let turn = match to {
-            Spot::Room(room) => outlook::into_room(&next.world, &next.graph, room, (agent, feet.vector.into())),
+            Spot::Room(room) => outlook::into_room(&self.world, &self.graph, room, (agent, feet.vector.into())),
             Spot::At(_) => before.rotation,
         };
-        if next.world.posture(agent) != Some(Posture::Standing) {
-            rule::carry_out(&mut next.graph, agent, &Effect::StandUp)?;
+        if self.is_seated(agent) {
+            rule::carry_out(&mut self.graph, agent, &Effect::StandUp)?;
         }
-        next.world.teleport(agent, Pose::from_parts(feet, turn)).map_err(|e| self.impossible(e))?;
-        if let Some(room) = next.room_at(point) {
-            let mut edit = next.graph.edit();
-            edit.move_to_room(agent, room)?;
-            edit.commit();
+        self.world.teleport(agent, Pose::from_parts(feet, turn)).map_err(|e| self.impossible(e))?;
+        if let Some(room) = self.room_at(point) {
+            // Nothing that it was near is near any more.
+            rule::carry_out(&mut self.graph, agent, &Effect::GoTo(room))?;
         }
-        let held: Vec<NodeId> = next.graph.held(agent).collect();
-        next.settle(&[vec![agent], held].concat())?;
-        *self = next;
-        Ok(())
+        let held: Vec<NodeId> = self.graph.held(agent).collect();
+        self.settle(&[vec![agent], held].concat())
     }
 
     fn no_such_class(&self, class: &str) -> AlterError {
@@ -321,7 +321,8 @@ impl Environment {
         self.world.differ();
         let mut edit = self.graph.edit();
         lamps.iter().try_for_each(|id| edit.enter_state(*id, state))?;
-        edit.commit();
+        let changes = edit.commit();
+        self.clock.note(changes);
         Ok(lamps)
     }
 
@@ -356,19 +357,38 @@ impl Environment {
         AlterError::Bodies(why.into().in_scene(&self.graph))
     }
 
-    /// Refuses while agents act or are under control: bodies come to rest here without the clock.
-    fn refuse_while_busy(&mut self) -> Result<(), AlterError> {
-        let busy = self.busy_now();
-        if busy.is_empty() { Ok(()) } else { Err(AlterError::Busy(busy)) }
+    /// Changes the environment, or leaves it as it is: not while agents act or are under control, since bodies come to
+    /// rest here without the clock.
+    fn altered<T>(&mut self, change: impl FnOnce(&mut Self) -> Result<T, AlterError>) -> Result<T, AlterError> {
+        let mut next = self.clone();
+        let busy = next.busy_now();
+        if !busy.is_empty() {
+            return Err(AlterError::Busy(busy));
+        }
+        let made = change(&mut next)?;
+        next.clock.note(ChangeSet::between(&self.graph, &next.graph));
+        *self = next;
+        Ok(made)
     }
 
-    /// Lets all come to rest and observes it.
+    /// Lets all come to rest and observes it. Where bodies do nothing, only what was changed is where bodies have it, and
+    /// all else as the rule has it.
     fn settle(&mut self, changed: &[NodeId]) -> Result<(), AlterError> {
         come_to_rest(&mut self.world);
-        observe::look_again(&mut self.graph, &self.start, &mut self.world, &mut self.relations, changed)?;
+        if self.start.time.bodies {
+            observe::look_again(&mut self.graph, &self.start, &mut self.world, &mut self.relations, changed)?;
+        } else {
+            observe::write_poses_of(&mut self.graph, &self.world, changed, changed)?;
+            self.world.forget_moved();
+        }
         self.floor.update(&self.world);
         self.clock.scene_changed();
         Ok(())
+    }
+
+    fn is_seated(&self, agent: NodeId) -> bool {
+        let said = self.graph.node(agent).is_some_and(|node| node.is(State::Sitting) || node.is(State::Lying));
+        said || self.world.posture(agent) != Some(Posture::Standing)
     }
 
     fn stays(&self, id: NodeId, wanted: Place) -> Result<(), AlterError> {

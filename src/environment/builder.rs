@@ -10,6 +10,9 @@ use vc_relations::threshold::SUPPORT_GAP;
 use super::clock::TimeSettings;
 use super::{Assets, Environment, MakeError, scene};
 
+/// The last second of a day.
+const LAST_SECOND: u32 = 86_399;
+
 /// Makes an [`Environment`] with settings of your own: [`Environment::builder`], [`Environment::builder_from_scene`].
 ///
 /// | setting | default |
@@ -209,6 +212,7 @@ impl EnvironmentBuilder {
     /// [options of pictures](Self::pictures) that are set afterwards have an hour of their own. Day and weather change no light.
     pub fn begins_at(mut self, time: DayTime) -> Self {
         self.settings.time.begin = time;
+        self.settings.no_hour = None;
         #[cfg(feature = "render")]
         {
             self.settings.pictures.daylight = vc_render::Daylight::at(time.hour());
@@ -216,7 +220,8 @@ impl EnvironmentBuilder {
         self
     }
 
-    /// The hour of day 0 at which the environment begins, 0 to 24: [`begins_at`](Self::begins_at) in another form.
+    /// The hour of day 0 at which the environment begins, from 0 up to 24, 24 excluded: [`begins_at`](Self::begins_at) in
+    /// another form, to the second.
     ///
     /// ```
     /// use virtualcity::{Environment, MakeError};
@@ -227,11 +232,11 @@ impl EnvironmentBuilder {
     /// # Ok::<(), MakeError>(())
     /// ```
     pub fn hour(mut self, hour: f32) -> Self {
-        if !(0.0..=24.0).contains(&hour) {
+        if !(0.0..24.0).contains(&hour) {
             self.settings.no_hour = Some(hour);
             return self;
         }
-        self.begins_at(DayTime::new(0, (hour * 3600.0).round() as u32))
+        self.begins_at(DayTime::new(0, ((hour * 3600.0).round() as u32).min(LAST_SECOND)))
     }
 
     /// The distance down to a support up to which a thing is on it, metres: 0 to

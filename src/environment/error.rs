@@ -45,7 +45,7 @@ pub enum MakeError {
         found: usize,
     },
     /// There is no such hour.
-    #[error("{0} is no hour of a day: an hour is from 0 to 24")]
+    #[error("{0} is no hour of a day: an hour is from 0 up to 24, 24 excluded")]
     Hour(f32),
     /// Bodies would not keep step with the clock.
     #[error("a step of {0} s: the clock of an environment has ticks of 1/60 s; `PhysicsWorld` alone takes other steps")]

@@ -19,7 +19,7 @@ pub(super) fn write_poses(graph: &mut SceneGraph, world: &PhysicsWorld) -> Resul
 
 /// Writes the poses of some bodies and of things that are worn by some agents or are themselves named, and returns the
 /// nodes whose pose changed.
-fn write_poses_of(
+pub(super) fn write_poses_of(
     graph: &mut SceneGraph,
     world: &PhysicsWorld,
     bodies: &[NodeId],

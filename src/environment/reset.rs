@@ -198,6 +198,7 @@ impl Environment {
         let standing = self.still_there(&wanted);
         plan.open.retain(|(id, _)| standing.binary_search(id).is_err());
         plan.lend_poses(&mut wanted)?;
+        stale::lend_agents(&start.graph, &mut wanted)?;
         let (mut world, how) = self.start.world.reset(&wanted, &self.start.shapes)?;
         if how.built {
             boxes::hold_as(&self.start, &mut world, &wanted)?;

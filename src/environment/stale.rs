@@ -92,6 +92,17 @@ pub(super) fn set_pose(graph: &mut SceneGraph, id: NodeId, pose: Pose) -> Result
     Ok(())
 }
 
+/// Agents without a pose stand where they began, until they are put where the graph has them.
+pub(super) fn lend_agents(start: &SceneGraph, graph: &mut SceneGraph) -> Result<(), EditError> {
+    for agent in graph.agents().to_vec() {
+        let began = start.node(agent).and_then(|node| node.pose().copied());
+        if let Some(pose) = began.filter(|_| graph.node(agent).is_some_and(|node| node.pose().is_none())) {
+            set_pose(graph, agent, pose)?;
+        }
+    }
+    Ok(())
+}
+
 /// Puts agents where the graph has them. Returns those that were moved, and those for whom there is no room.
 pub(super) fn move_agents(
     (start, known): (&Start, &[&SceneGraph]),

@@ -4,6 +4,7 @@ use nalgebra::{Point3, Vector2, Vector3};
 use vc_graph::portable::Portable;
 use vc_graph::{ChangeSet, NodeId};
 
+use super::control::WITHOUT;
 use super::{ActionError, Attempt, Environment, PhysicalRefusal};
 
 /// The control input of a body for one tick.
@@ -27,7 +28,9 @@ impl Environment {
     /// `PhysicsWorld::step`, `PhysicsWorld::turn` and `Relations::update_nodes`.
     ///
     /// # Errors
-    /// [`ActionError::Impossible`] if there is no such agent, it does not stand, or a number is not finite,
+    /// [`ActionError::Impossible`] if bodies do nothing here
+    /// ([`EnvironmentBuilder::bodies`](crate::EnvironmentBuilder::bodies)), there is no such agent, it does not stand, or a
+    /// number is not finite,
     /// [`ActionError::Busy`] while it acts or is under [control](Self::control); in these cases no time has passed.
     ///
     /// ```
@@ -50,6 +53,9 @@ impl Environment {
         let attempt = Attempt::named("steer");
         let impossible =
             |why: PhysicalRefusal| ActionError::Impossible { attempt: attempt.clone(), why: why.in_scene(&labels) };
+        if !self.start.time.bodies {
+            return Err(impossible(PhysicalRefusal::NotModelled(WITHOUT)));
+        }
         if !steering.heading.is_finite() {
             let refused = vc_physics::PhysicsError::NotFinite("the heading", agent);
             return Err(impossible(refused.into()));
@@ -62,7 +68,8 @@ impl Environment {
         if steering.jump {
             self.world.jump(agent).map_err(|e| impossible(e.into()))?;
         }
-        let before = self.pass_tick();
+        let before = self.graph.clone();
+        self.pass_tick();
         let (sin, cos) = steering.heading.sine_cosine();
         if let Some(feet) = self.world.pose(agent) {
             let ahead = Point3::from(feet.translation.vector + Vector3::new(cos, sin, 0.0));
@@ -71,6 +78,8 @@ impl Environment {
             self.world.turn(agent, turned.rotation).map_err(|e| impossible(e.into()))?;
         }
         self.world.go(agent, Vector2::zeros()).map_err(|e| impossible(e.into()))?;
-        self.seen_since(before).map_err(impossible)
+        self.clock.unseen = true;
+        self.read_moved().map_err(impossible)?;
+        Ok(ChangeSet::between(&before, &self.graph))
     }
 }

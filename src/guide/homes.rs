@@ -52,7 +52,7 @@
 //!
 //! // What is no setting is an error, with what to do.
 //! let error = Environment::builder("apartment/42").hour(25.0).make().unwrap_err();
-//! assert_eq!(error.to_string(), "25 is no hour of a day: an hour is from 0 to 24");
+//! assert_eq!(error.to_string(), "25 is no hour of a day: an hour is from 0 up to 24, 24 excluded");
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!

@@ -1,10 +1,12 @@
 //! Spawning and placing objects, and teleporting agents.
 
-use virtualcity::graph::{NodeId, Place, Pose, Relation, Seed, Verb};
-use virtualcity::physics::Posture;
+use virtualcity::graph::clock::{ProcessTable, Span};
+use virtualcity::graph::{Action, ChangeSet, ClassTable, Edge, NodeId, Place, Pose, Relation, Seed, State, Verb};
+use virtualcity::nalgebra::{Point2, Vector2};
+use virtualcity::physics::{HandGoal, Posture};
 use virtualcity::procgen::Apartment;
 use virtualcity::relations::{RelationRule, Relations};
-use virtualcity::{AlterError, Environment, Spot};
+use virtualcity::{AlterError, Control, Environment, Spot, Steering};
 
 use super::{act, home};
 
@@ -180,5 +182,123 @@ fn homes_stand_at_any_height() {
         for room in home.graph().rooms().to_vec() {
             act(&mut home, me, Verb::Walk, &[room]);
         }
+    }
+}
+
+/// Another graph follows by the changes, whatever else is done between actions.
+#[test]
+fn changes_between_actions_are_told() {
+    let mut home = home(27, 1);
+    let (me, fridge) = (home.agents()[0], home.graph().first_of_class("fridge").unwrap());
+    let table = home.graph().first_of_class("coffee_table").unwrap();
+    let mut mirror = home.graph().clone();
+    let mut follow = |home: &mut Environment| {
+        for target in [table, fridge] {
+            let changes = home.set_action(me, Action::walk(target)).unwrap();
+            changes.apply(&mut mirror).unwrap();
+            assert!(ChangeSet::between(&mirror, home.graph()).is_empty());
+        }
+    };
+    follow(&mut home);
+    home.switch_lamps(true).unwrap();
+    follow(&mut home);
+    home.teleport(me, home.graph().rooms()[1]).unwrap();
+    follow(&mut home);
+    let mug = home.spawn("mug", Place { relation: Relation::On, at: table }).unwrap();
+    follow(&mut home);
+    home.put(mug, Place { relation: Relation::InRoom, at: home.graph().rooms()[0] }).unwrap();
+    follow(&mut home);
+    for _ in 0..20 {
+        home.steer(me, &Steering { velocity: Vector2::new(0.3, 0.2), ..Steering::default() }).unwrap();
+    }
+    follow(&mut home);
+}
+
+/// Whoever steers meanwhile takes nothing from the changes of an action that ends then.
+#[test]
+fn actions_that_end_while_somebody_steers_keep_their_changes() {
+    let mut home = home(27, 2);
+    let (me, other) = (home.agents()[0], home.agents()[1]);
+    let fridge = home.graph().first_of_class("fridge").unwrap();
+    act(&mut home, me, Verb::Walk, &[fridge]);
+    home.give(me, Action::one(Verb::Open, fridge));
+    while home.current_action(me).is_some() {
+        home.steer(other, &Steering::default()).unwrap();
+    }
+    let endings = home.step(Span(0));
+    let changes = endings[0].outcome.as_ref().unwrap();
+    assert!(changes.nodes().any(|id| id == fridge), "{changes:?}");
+}
+
+/// Without bodies, only what is altered changes: others stay where the rule has brought them.
+#[test]
+fn without_bodies_others_stay_where_they_are() {
+    let mut home = Environment::builder("apartment/27").agents(2).bodies(false).make().unwrap();
+    let (me, other) = (home.agents()[0], home.agents()[1]);
+    let fridge = home.graph().first_of_class("fridge").unwrap();
+    let table = home.graph().first_of_class("coffee_table").unwrap();
+    let room = home.graph().room_of(table).unwrap();
+    act(&mut home, me, Verb::Walk, &[fridge]);
+    act(&mut home, me, Verb::Open, &[fridge]);
+    let there: Vec<Edge> = home.graph().edges().filter(|edge| edge.from == me).collect();
+    let apple = home.spawn("apple", Place { relation: Relation::On, at: table }).unwrap();
+    home.put(apple, Place { relation: Relation::Inside, at: fridge }).unwrap();
+    home.teleport(other, room).unwrap();
+    let now: Vec<Edge> = home.graph().edges().filter(|edge| edge.from == me && edge.to != apple).collect();
+    assert_eq!(now, there);
+    assert_eq!((home.graph().room_of(other), home.graph().place(apple).map(|p| p.at)), (Some(room), Some(fridge)));
+    act(&mut home, me, Verb::Grab, &[apple]);
+    act(&mut home, me, Verb::Close, &[fridge]);
+    act(&mut home, other, Verb::Walk, &[me]);
+    assert!(home.steer(me, &Steering::default()).is_err(), "bodies do nothing here");
+}
+
+/// What is refused changes nothing, not even where hands are whose control has ended.
+#[test]
+fn refused_alterations_change_nothing() {
+    let mut home = home(27, 1);
+    let (me, table) = (home.agents()[0], home.graph().first_of_class("coffee_table").unwrap());
+    let goal = HandGoal { pose: Pose::translation(0.4, -0.2, 1.2), ..HandGoal::default() };
+    home.control(me, &Control { hands: [Some(goal), None], ..Control::default() }).unwrap();
+    home.step(Span(60));
+    home.interrupt(me);
+    let (before, on) = (home.digest(), |at| Place { relation: Relation::On, at });
+    home.spawn("flooble", on(table)).unwrap_err();
+    home.spawn("mug", on(me)).unwrap_err();
+    home.put(NodeId(9_999_999), on(table)).unwrap_err();
+    home.put(table, on(table)).unwrap_err();
+    home.teleport(me, Point2::new(-90.0, 0.0)).unwrap_err();
+    assert_eq!(home.digest(), before);
+}
+
+/// Lamps that are switched at once burn down as others do.
+#[test]
+fn processes_heed_switched_lamps() {
+    let table = "timer | ceiling_lamp | on | | | off | | | 10 s\n";
+    let table = ProcessTable::parse("timer.txt", table, &ClassTable::builtin()).unwrap();
+    let mut home = Environment::builder("apartment/27").processes(table).make().unwrap();
+    home.step(Span(5));
+    let lamps = home.switch_lamps(true).unwrap();
+    home.step(Span::from_seconds(5.0));
+    let timed: Vec<NodeId> = home.processes().map(|since| since.node).filter(|id| lamps.contains(id)).collect();
+    assert!(!timed.is_empty());
+    home.step(Span::from_seconds(6.0));
+    assert!(timed.iter().all(|id| home.graph().node(*id).is_some_and(|node| node.is(State::Off))));
+}
+
+/// Agents whose pose a scene leaves open stand where the scene has them, as things do.
+#[test]
+fn agents_without_a_pose_are_put_into_their_rooms() {
+    let mut home = home(27, 1);
+    let (me, rooms) = (home.agents()[0], home.graph().rooms().to_vec());
+    for room in rooms {
+        let mut wanted = home.start().clone();
+        let mut edit = wanted.edit();
+        edit.move_to_room(me, room).unwrap();
+        edit.set_pose(me, None).unwrap();
+        edit.commit();
+        let report = home.reset(&wanted).unwrap();
+        assert!(home.world().pose(me).is_some(), "{report:?}");
+        assert!(home.graph().room_of(me) == Some(room) || !report.elsewhere.is_empty(), "{report:?}");
     }
 }

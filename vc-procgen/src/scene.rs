@@ -7,8 +7,8 @@ use nalgebra::Vector3;
 use vc_graph::asset::Hold;
 use vc_graph::space::NumberBlock;
 use vc_graph::{
-    AssetId, Bounds, BoundsFrame, ClassTable, Draft, Edge, EditError, NodeId, ObjectRole, Pose, Relation, SceneBuilder,
-    SceneGraph, State,
+    AssetId, Bounds, BoundsFrame, ClassTable, Draft, Edge, EditError, NodeId, ObjectRole, Pose, Property, Relation,
+    SceneBuilder, SceneGraph, State,
 };
 use vc_shapes::object::Object;
 
@@ -122,7 +122,8 @@ impl Contents<'_> {
         }
         for (index, (item, asset)) in self.items.iter().zip(assets).enumerate() {
             let name = self.names.iter().find(|(named, _)| *named == index).map(|(_, name)| name.clone());
-            builder.add_with_id(self.item_id(index), Draft { name, ..draft(item, asset) })?;
+            let draft = draft(item, asset, builder.graph().classes());
+            builder.add_with_id(self.item_id(index), Draft { name, ..draft })?;
         }
         builder.link_all(&self.edges())
     }
@@ -153,15 +154,14 @@ impl Contents<'_> {
     }
 }
 
-fn draft(item: &Item, asset: AssetId) -> Draft {
+fn draft(item: &Item, asset: AssetId, classes: &ClassTable) -> Draft {
     let mut draft = Draft::new(item.object.class).at(item.pose).bounds(item.object.bounds);
     draft.asset = Some(asset);
-    // Storage with doors or a lid starts closed, because an open one would collide with objects above it. The
-    // drawers at the foot of a bookshelf close nothing: its books stand in the open.
+    // Storage with doors or a lid starts closed, because an open one would collide with objects above it.
+    let opens = classes.get(item.object.class).is_some_and(|class| class.affordances.contains(Property::Openable));
     let doors = item.object.asset.parts.iter().any(|p| p.joint.is_some());
     let holds = item.object.asset.surfaces.iter().any(|s| s.hold == Hold::Inside);
-    let shelves = matches!(item.object.class, "bookshelf" | "low_bookcase");
-    let state = (holds && doors && !shelves).then_some(State::Closed);
+    let state = (opens && holds && doors).then_some(State::Closed);
     draft.entering.extend(state.into_iter().chain(item.states.iter().copied()));
     draft
 }

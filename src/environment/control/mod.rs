@@ -62,8 +62,8 @@ pub struct ControlledHand {
     pub refused: Vec<Refusal>,
 }
 
-/// The reason for which nobody is controlled in an environment without bodies.
-const WITHOUT: &str = "bodies do nothing here: make the environment with `bodies(true)`";
+/// The reason for which nobody is controlled or steered in an environment without bodies.
+pub(super) const WITHOUT: &str = "bodies do nothing here: make the environment with `bodies(true)`";
 
 /// The controls of all agents.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]

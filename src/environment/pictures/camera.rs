@@ -1,8 +1,7 @@
 //! Where cameras of an environment are.
 
-use nalgebra::Point3;
-use vc_graph::{Aabb, Anthropometry, Label, NodeId, NodeKind, ObjectRole, Pose, SceneGraph};
-use vc_people::Skeleton;
+use nalgebra::{Point3, Translation3};
+use vc_graph::{Aabb, Anthropometry, Label, NodeId, NodeKind, ObjectRole, SceneGraph};
 use vc_render::{Camera, Frame, Modality, RenderError, Shot};
 
 use super::{CameraError, CameraId, Lens, Mount, PictureError};
@@ -10,6 +9,8 @@ use crate::Environment;
 
 /// Vertical field of view of eyes and of cameras in rooms unless the options say otherwise, radians.
 pub(super) const FIELD: f32 = 1.15;
+/// The height up to which eyes may be set, metres.
+const HIGHEST_EYES: f32 = 10.0;
 /// Height above the floor at which a view from above cuts the home open, metres.
 const CUT: f32 = 2.1;
 /// Pixels of the pictures by which corners are compared.
@@ -125,13 +126,13 @@ impl Environment {
         node.and_then(|n| n.aabb()).ok_or_else(|| RenderError::NoRoom(self.graph().label(room)))
     }
 
-    /// Where the eyes of a figure are, as high as the options say.
-    pub(super) fn eyes(&self, skeleton: &Skeleton) -> Pose {
-        let mut eyes = skeleton.eyes();
-        if let Some(height) = self.pictures.eye_height {
-            eyes.translation.z += height - Anthropometry::ADULT.view;
+    /// How far the eyes of a figure are raised so that they are as high as the options say.
+    pub(super) fn raised_eyes(&self) -> Result<Translation3<f32>, PictureError> {
+        let Some(height) = self.pictures.eye_height else { return Ok(Translation3::identity()) };
+        if !(height > 0.0 && height <= HIGHEST_EYES) {
+            return Err(RenderError::<Label>::BadCamera("eye height is to be above 0 and at most 10 metres").into());
         }
-        eyes
+        Ok(Translation3::new(0.0, 0.0, height - Anthropometry::ADULT.view))
     }
 
     /// A camera in the corner of a room from which most things in it are seen as the home begins.

@@ -166,7 +166,10 @@ impl Environment {
     pub(crate) fn mounted(&self, mount: &Mount, lens: Camera) -> Result<Camera, PictureError> {
         match *mount {
             Mount::Fixed(pose) => Ok(lens.mounted(&pose)),
-            Mount::Head { agent, offset } => self.on_body(agent, lens, |s| self.eyes(s) * offset),
+            Mount::Head { agent, offset } => {
+                let raised = self.raised_eyes()?;
+                self.on_body(agent, lens, |s| raised * s.eyes() * offset)
+            }
             Mount::Hand { agent, hand, offset } => self.on_body(agent, lens, |s| palm_frame(s, hand) * offset),
             Mount::Thing { thing, offset } => {
                 let pose = self.graph().node(thing).and_then(|n| n.pose());

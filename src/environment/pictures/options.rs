@@ -32,7 +32,8 @@ pub struct PictureOptions {
     /// [`RenderError::BadCamera`](vc_render::RenderError::BadCamera) unless it is above 0 and below half a turn.
     pub field_of_view: f32,
     /// The height of a standing agent's eyes above the floor, metres, such as that of a robot's camera; by default that
-    /// of its head. Only pictures follow it; bodies see and reach as they did.
+    /// of its head. Only pictures follow it; bodies see and reach as they did. A picture through eyes fails with
+    /// [`RenderError::BadCamera`](vc_render::RenderError::BadCamera) unless it is above 0 and at most 10.
     pub eye_height: Option<f32>,
 }
 

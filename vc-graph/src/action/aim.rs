@@ -83,7 +83,8 @@ pub enum AimPart {
 /// texts are exact. [`ActionRule::aims`](crate::ActionRule) says which verbs take which aims.
 ///
 /// The point of a thing is that of its origin as seen from above, which is the middle of the base of generated things;
-/// its height, if stated, is that of the surface below the thing. The heading is that of its X, which points to its
+/// its height, if stated, is that of the surface below the thing; else the thing comes to the highest surface there that has
+/// room. The heading is that of its X, which points to its
 /// front. Those of an agent are of its feet, and a height only tells on which storey they are.
 ///
 /// ```

@@ -53,7 +53,7 @@ impl AimPoint {
 
 fn millimetres(metres: f64) -> Result<i32, AimError> {
     let fits = metres.abs() <= FARTHEST;
-    if fits { Ok((metres * PER_METRE).round() as i32) } else { Err(AimError::OutOfRange(metres.to_string())) }
+    if fits { Ok((metres * PER_METRE).round() as i32) } else { Err(AimError::OutOfRange(format!("{metres:e}"))) }
 }
 
 fn metres(millimetres: i32) -> f32 {
