@@ -18,7 +18,7 @@ use vc_render::picture;
 use vc_render::{Daylight, RenderError};
 use vc_tasks::{Task, World, WorldError};
 
-use crate::{Environment, FileError, Page, PageAction, PageFilm, PictureError, PictureOptions, files};
+use crate::{Environment, FileError, Page, PageAction, PageFilm, PictureError, PictureOptions, SaveError, files};
 pub use dataset::Dataset;
 use film::Film;
 pub use own::OwnFiles;
@@ -79,6 +79,7 @@ const SIX: &str = "Colours, instances, classes; depth, optical flow, boxes and m
 /// |---|---|
 /// | `agent`, `action` | the label of who acted, and the action with labels, `grab cup.12` |
 /// | `refused` | why it was not done, whatever the reason; `null` if it was |
+/// | `round` | the number of the round, counted from 1 |
 /// | `time` | the home's time at the end of the round, seconds since the record began; a reset does not count |
 /// | `step` | the number of actions that all agents have done by the end of the round, since the last reset |
 /// | `at` | the agent's place, metres: X, Y and Z of the point between its feet, or on its seat; `null` without a pose |
@@ -89,6 +90,10 @@ const SIX: &str = "Colours, instances, classes; depth, optical flow, boxes and m
 /// A [`reset`](Environment::reset) through the recorder adds a line with the scene's name as `reset` and a `digest`. The last
 /// line is the [`Summary`]: `outcome` is `won`, `lost`, `timed_out` or `aborted`, `score` the share of the goal that holds, 0
 /// to 1, `steps` the number of actions that were done or tried, `reason` why it ended, or `null`.
+///
+/// `begin.save` is the home as the run began, [saved](Environment::save). It is restored by an environment that was made
+/// alike, and [`Environment::set_actions`] with the actions of each round in turn, those that were refused with them, goes
+/// through the record again, digest by digest:
 ///
 /// ```
 /// use virtualcity::graph::Action;
@@ -116,6 +121,18 @@ const SIX: &str = "Colours, instances, classes; depth, optical flow, boxes and m
 ///     assert_eq!(lines[1][field], lines[2][field]);
 /// }
 /// assert_eq!((&lines[1]["step"], &lines[3]["outcome"]), (&2.into(), &"won".into()));
+///
+/// let begin = std::fs::read(folder.join("begin.save"))?;
+/// let mut again = Environment::make("apartment/42", 2)?.restore(&begin)?;
+/// assert_eq!(lines[0]["digest"], again.digest().to_string());
+/// let text = |line: usize, field: &str| lines[line][field].as_str().unwrap_or_default();
+/// let mut round = Vec::new();
+/// for line in [1, 2] {
+///     let who: virtualcity::graph::Label = text(line, "agent").parse()?;
+///     round.push((who.id, text(line, "action").parse::<Action>()?));
+/// }
+/// again.set_actions(&round);
+/// assert_eq!(lines[2]["digest"], again.digest().to_string());
 /// # std::fs::remove_dir_all(&folder)?;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -185,6 +202,9 @@ pub enum RecordError {
     /// A picture could not be made.
     #[error("no picture of the episode can be made: {0}")]
     Picture(#[from] PictureError),
+    /// The home could not be saved as the run began.
+    #[error("the home cannot be saved: {0}")]
+    Begin(#[from] SaveError),
     /// The scene could not be written as glTF.
     #[error("the scene cannot be written as glTF: {0}")]
     Scene(#[from] vc_gltf::GltfError),
@@ -258,6 +278,7 @@ impl Recorder {
         let mut own = OwnFiles::open(folder)?;
         clear(&mut own, options.dataset)?;
         own.claim([trajectory::FILES[1]])?;
+        own.write(BEGIN, &home.save()?)?;
         let trajectory = Trajectory::begin(folder, &home, agent, task)?;
         let dataset = options.dataset.then(|| Dataset::create(folder)).transpose()?;
         let film = Film::new(&home, agent, options.width);
@@ -343,6 +364,7 @@ impl Recorder {
             page = page.figure("corner.png", "Six modalities from a corner of the room", SIX);
         }
         page = page.file("trajectory.jsonl", "every action with time, place and digest, as JSON Lines");
+        page = page.file(BEGIN, "the home as the run began, for `Environment::restore`");
         if let Some(film) = &film {
             let video =
                 format!("the film; `ffmpeg -framerate {} -i film/%03d.jpg film.mp4` makes a video", film.per_second);
@@ -364,7 +386,8 @@ impl Recorder {
 
     /// Adds an action that has ended to the trajectory and to the page.
     fn write_action(&mut self, agent: NodeId, words: String, why: Option<String>) {
-        let noted = self.trajectory.step(&self.home, agent, &words, self.time, why.as_deref());
+        let when = (self.attempts.len(), self.time);
+        let noted = self.trajectory.step(&self.home, agent, &words, when, why.as_deref());
         self.note(noted);
         let label = |id| self.home.graph().label(id).to_string();
         self.actions.push(PageAction {
@@ -446,8 +469,12 @@ fn feet(home: &Environment, agent: NodeId) -> Point2<f32> {
 /// Looks at an action that takes longer than bodies need.
 const LOOKS: u64 = 24;
 
+/// The home as the run began.
+const BEGIN: &str = "begin.save";
+
 /// The files of a record, besides those of its film and its dataset.
-const FILES: [&str; 12] = [
+const FILES: [&str; 13] = [
+    BEGIN,
     "index.html",
     "film.gif",
     "film.png",

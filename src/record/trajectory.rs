@@ -31,13 +31,13 @@ impl Trajectory {
         Ok(all)
     }
 
-    /// An action that was done, or refused, and what is known of the agent after it.
+    /// An action that was done, or refused, in a round with its number, and what is known of the agent after it.
     pub(super) fn step(
         &mut self,
         home: &Environment,
         agent: NodeId,
         action: &str,
-        time: f64,
+        (round, time): (usize, f64),
         refused: Option<&str>,
     ) -> Result<(), RecordError> {
         let graph = home.graph();
@@ -46,7 +46,7 @@ impl Trajectory {
         let label = |id: NodeId| graph.label(id).to_string();
         let held: Vec<String> = graph.held(agent).map(label).collect();
         self.line(&json!({
-            "step": home.history().events().len(), "time": time, "agent": label(agent), "action": action,
+            "round": round, "step": home.history().events().len(), "time": time, "agent": label(agent), "action": action,
             "refused": refused, "at": at, "room": graph.room_of(agent).map(label), "held": held,
             "digest": home.digest().to_string(),
         }))

@@ -3,7 +3,7 @@
 use nalgebra::{Point2, Vector3};
 use virtualcity::graph::clock::Span;
 use virtualcity::graph::{
-    Action, Node, NodeId, ObjectRole, Pose, Property, Refusal, Relation, Seed, Side, State, Stream, Verb,
+    Action, Node, NodeId, ObjectRole, Place, Pose, Property, Refusal, Relation, Seed, Side, State, Stream, Verb,
 };
 use virtualcity::physics::{BodyRole, Posture};
 use virtualcity::{ActionError, Environment, PhysicalRefusal, SpotRefusal};
@@ -426,4 +426,26 @@ fn aims_are_shown() {
         assert_eq!(shown.is_ok(), done.is_ok(), "{action}");
         assert_eq!(home.digest(), at_once.digest(), "{action}");
     }
+}
+
+/// Cloth that is too large for a drawer as it is, is folded into the one that is asked for.
+#[test]
+fn cloth_is_folded_into_a_drawer() {
+    let (mut put, mut asked) = (0, 0);
+    for seed in [112, 2711, 42, 7] {
+        let mut home = home(seed, 1);
+        let me = home.agents()[0];
+        let Some(dresser) = home.graph().first_of_class("dresser") else { continue };
+        let room = home.graph().room_of(dresser).unwrap();
+        let Ok(shirt) = home.spawn("shirt", Place { relation: Relation::InRoom, at: room }) else { continue };
+        for action in [Action::walk(shirt), Action::grab(shirt), Action::walk(dresser), Action::open(dresser)] {
+            home.set_action(me, action).unwrap();
+        }
+        for slot in 1..=4 {
+            let action = Action::two(Verb::PutIn, shirt, dresser).in_slot(slot);
+            asked += 1;
+            put += usize::from(home.clone().set_action(me, action).is_ok());
+        }
+    }
+    assert!(asked > 3 && put * 2 > asked, "{put} of {asked}");
 }

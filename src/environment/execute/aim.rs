@@ -101,7 +101,14 @@ impl Planner<'_> {
     pub(super) fn put_as_asked(&mut self, id: NodeId, place: Place) -> Planning {
         let hand = self.hand_with(id)?;
         self.floor.update(self.world);
-        let pose = self.asked_spot(id, place)?;
+        let (pose, fold) = match self.asked_spot(id, place) {
+            Ok(pose) => (pose, None),
+            // Cloth is folded where it is too large as it is.
+            Err(why) => {
+                let Some((world, fold)) = self.folded(id)? else { return Err(why) };
+                (self.in_world(&world).asked_spot(id, place).map_err(|_| why)?, Some(fold))
+            }
+        };
         let put = BodyMotion::Put(Put { hand, id, pose, balanced: false, tight: None });
         let step = if !self.stands() || self.puts_from(&self.feet(), id, &pose) {
             self.turn_to(pose.translation.vector.into())
@@ -109,7 +116,7 @@ impl Planner<'_> {
             let stand = self.stand_to_put(self.before.room_of(self.agent), id, &pose)?;
             self.walk(stand.ok_or_else(|| PhysicalRefusal::NoStand(self.before.label(place.at)))?)?
         };
-        Ok(Plan::of(step.motions.into_iter().chain([put, BodyMotion::ComeToRest])))
+        Ok(Plan::of(fold.into_iter().chain(step.motions).chain([put, BodyMotion::ComeToRest])))
     }
 
     fn asked_spot(&self, id: NodeId, place: Place) -> Result<Pose, PhysicalRefusal> {

@@ -211,7 +211,7 @@ impl Planner<'_> {
     }
 
     /// The world with a thing of cloth folded to a flat bundle, and that motion; `None` if it is no larger as it is.
-    fn folded(&self, id: NodeId) -> Result<Option<(PhysicsWorld, BodyMotion)>, PhysicalRefusal> {
+    pub(super) fn folded(&self, id: NodeId) -> Result<Option<(PhysicsWorld, BodyMotion)>, PhysicalRefusal> {
         let Some(node) = self.before.node(id).filter(|n| is_cloth(n)) else { return Ok(None) };
         let Some(by) = self.world.body(id)?.folded_scale() else { return Ok(None) };
         let scale = node.spec().scale.component_mul(&by);

@@ -98,7 +98,7 @@ fn records_go_on_where_they_were_broken_off() {
     let begun = files(&at);
     let is_begun = |name: &Path| {
         let is_part = name.extension().is_some_and(|e| e == "part");
-        name.starts_with("frames") || name == Path::new("files.txt") || is_part
+        name.starts_with("frames") || ["files.txt", "begin.save"].iter().any(|kept| name == Path::new(kept)) || is_part
     };
     assert!(begun.keys().all(|name| is_begun(name)), "{:?}", begun.keys());
     assert!(begun.len() > 5, "{:?}", begun.keys());

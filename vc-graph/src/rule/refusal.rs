@@ -84,7 +84,10 @@ pub enum Refusal {
     #[error("the scene has no poses of rooms: name an object instead of the point {0}")]
     NoPoses(AimPoint),
     /// The object has fewer seats or slots.
-    #[error("{thing} has {has} {part}s, numbered from 1: there is no {part} {number}")]
+    #[error(
+        "{thing} has {has} {part}{}, numbered from 1: there is no {part} {number}",
+        if *.has == 1 { "" } else { "s" }
+    )]
     NoSuchPart {
         /// The object.
         thing: Label,

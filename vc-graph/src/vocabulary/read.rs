@@ -35,7 +35,8 @@ impl Vocabulary {
     ///
     /// All but `is` may be left out. A verb is followed by the number of its things, 0 to 2: `x` is the first, `y` the second.
     /// Preconditions and effects are those of [`Condition`] and [`Effect`], with their names in lower case: `near x`,
-    /// `not_in x hot`, `holding_kind wiper`, `related x on y`, `put_into x y`, `enter_own asleep`.
+    /// `not_in x hot`, `holding_kind wiper` (a property of what is held, no class), `related x on y`, `put_into x y`,
+    /// `enter_own asleep`.
     ///
     /// Bodies do what effects say, so an effect has the needs of the built-in verb with that effect, written or not: `hold x`
     /// those of `grab`, `sit_on y` those of `sit`, but for what an earlier effect brings about. Sitting, lying, open and
