@@ -106,6 +106,8 @@ mod record;
 pub use batch::Batch;
 #[cfg(feature = "environment")]
 pub use check::{ContractViolation, Tally, check_environment, legal_action, random_action, run};
+#[cfg(all(feature = "environment", feature = "render"))]
+pub use city::CityView;
 #[cfg(feature = "environment")]
 pub use city::{City, CityBuilder, CityEnding, CityError, CitySaveError, LiftState, RegionScenes};
 #[cfg(feature = "environment")]

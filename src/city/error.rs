@@ -62,6 +62,19 @@ pub enum CityError {
     /// A way to another region was given up for another action.
     #[error("{0} was interrupted on its way: it was given something else to do, or told to stop")]
     Interrupted(Label),
+    /// A viewpoint has neither agent nor room.
+    #[error("it is not said in which region the camera is: write `(region, viewpoint)`")]
+    NoRegion,
+    /// A picture cannot be made.
+    #[cfg(feature = "render")]
+    #[error("there is no picture in {region}: {why}")]
+    Picture {
+        /// The region of the camera.
+        region: RegionId,
+        /// The reason.
+        #[source]
+        why: Arc<crate::PictureError>,
+    },
     /// The agent cannot leave a region or enter the next.
     #[error(transparent)]
     Travel(#[from] TravelError),

@@ -53,6 +53,7 @@ impl CityBuilder {
             ways: BTreeMap::new(),
             lifts,
             endings: Vec::new(),
+            glances: Arc::default(),
         };
         let begins: Vec<RegionId> = city.beginnings();
         if begins.is_empty() && agents > 0 {

@@ -7,8 +7,12 @@ mod error;
 mod journey;
 mod lift;
 mod make;
+mod peek;
+#[cfg(feature = "render")]
+mod picture;
 mod residency;
 mod save;
+mod sight;
 mod source;
 mod time;
 
@@ -27,6 +31,8 @@ use journey::Journey;
 pub use lift::LiftState;
 use lift::Lifts;
 pub use make::CityBuilder;
+#[cfg(feature = "render")]
+pub use picture::CityView;
 pub use save::CitySaveError;
 pub use source::RegionScenes;
 pub use time::CityEnding;
@@ -68,6 +74,8 @@ pub struct City {
     ways: BTreeMap<NodeId, Ways>,
     lifts: Lifts,
     endings: Vec<time::CityEnding>,
+    /// No part of the state: regions for whoever looks.
+    glances: Arc<peek::Glances>,
 }
 
 /// Which portals somebody takes.

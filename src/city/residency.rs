@@ -13,7 +13,7 @@ impl City {
         if !self.active.contains_key(&region) {
             let mut environment = match self.asleep.remove(&region) {
                 Some(environment) => environment,
-                None => self.made(region)?,
+                None => self.first(region)?,
             };
             // Time has passed there as well; nobody could tell the difference.
             environment.step(Span(self.tick.0.saturating_sub(environment.tick().0)));
@@ -65,7 +65,12 @@ impl City {
     /// Whether the leaf of a door or window is open.
     pub(super) fn is_open(&self, leaf: NodeId) -> bool {
         let environment = |region: &RegionId| self.active.get(region).or_else(|| self.asleep.get(region));
-        let node = self.region_of(leaf).as_ref().and_then(environment).and_then(|home| home.graph().node(leaf));
-        node.is_some_and(|node| node.is(State::Open))
+        let Some(region) = self.region_of(leaf) else { return false };
+        let is_open = |home: &Environment| home.graph().node(leaf).is_some_and(|node| node.is(State::Open));
+        match environment(&region) {
+            Some(home) => is_open(home),
+            // As it is made.
+            None => self.first(region).is_ok_and(|home| is_open(&home)),
+        }
     }
 }

@@ -1,5 +1,6 @@
 //! Cities: agents who go from region to region, over stairs and by lift, with what they carry.
 
+mod sight;
 mod worlds;
 
 use std::error::Error;
