@@ -109,7 +109,9 @@ pub use check::{ContractViolation, Tally, check_environment, legal_action, rando
 #[cfg(all(feature = "environment", feature = "render"))]
 pub use city::CityView;
 #[cfg(feature = "environment")]
-pub use city::{City, CityBuilder, CityEnding, CityError, CitySaveError, LiftState, RegionScenes};
+pub use city::{
+    Beyond, City, CityBuilder, CityEnding, CityError, CityObservation, CitySaveError, GoalScope, LiftState, RegionScenes,
+};
 #[cfg(feature = "environment")]
 pub use environment::{
     ActionError, AlterError, Assets, Attempt, Control, ControlledHand, Difference, Disagreement, Displaced, Ending,

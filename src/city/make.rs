@@ -49,6 +49,7 @@ impl CityBuilder {
             asleep: BTreeMap::new(),
             whereabouts: BTreeMap::new(),
             agents: Vec::new(),
+            homes: BTreeMap::new(),
             journeys: BTreeMap::new(),
             ways: BTreeMap::new(),
             lifts,
@@ -116,6 +117,7 @@ impl City {
         environment.place_feet(id, Pose::translation(spot.x, spot.y, feet.translation.z));
         self.whereabouts.insert(id, region);
         self.agents.push(id);
+        self.homes.insert(id, region);
         Ok(id)
     }
 }

@@ -4,9 +4,11 @@
 //! another, [`lift`] how cabins move, [`time`] how all of it goes on, [`save`] cities as bytes.
 
 mod error;
+mod goal;
 mod journey;
 mod lift;
 mod make;
+mod observation;
 mod peek;
 #[cfg(feature = "render")]
 mod picture;
@@ -22,15 +24,17 @@ use std::sync::Arc;
 use vc_graph::clock::{Span, Tick};
 use vc_graph::hash::Digester;
 use vc_graph::space::{Portal, PortalId, PortalState, RegionFrame, RegionId, Space};
-use vc_graph::{Action, Digest, Label, NodeId, Observation};
+use vc_graph::{Action, Digest, Label, NodeId};
 
 use crate::{Environment, EnvironmentBuilder};
 
 pub use error::CityError;
+pub use goal::GoalScope;
 use journey::Journey;
 pub use lift::LiftState;
 use lift::Lifts;
 pub use make::CityBuilder;
+pub use observation::{Beyond, CityObservation};
 #[cfg(feature = "render")]
 pub use picture::CityView;
 pub use save::CitySaveError;
@@ -69,6 +73,8 @@ pub struct City {
     /// Where agents are, and things that are not where they were made.
     whereabouts: BTreeMap<NodeId, RegionId>,
     agents: Vec<NodeId>,
+    /// Where they began.
+    homes: BTreeMap<NodeId, RegionId>,
     journeys: BTreeMap<NodeId, Journey>,
     /// The portals that agents take, if not all.
     ways: BTreeMap<NodeId, Ways>,
@@ -115,15 +121,6 @@ impl City {
     /// The environment of the region that an agent is in.
     pub fn environment_of(&self, agent: NodeId) -> Option<&Environment> {
         self.environment(self.region_of(agent)?)
-    }
-
-    /// The part of its region's scene that an agent sees within a radius, metres: [`Environment::observation`]. Changes
-    /// nothing.
-    ///
-    /// # Errors
-    /// [`CityError::NoSuchAgent`].
-    pub fn observation(&self, agent: NodeId, radius: f32) -> Result<Observation, CityError> {
-        Ok(self.environment_with(agent)?.observation(agent, radius))
     }
 
     /// Class and number of a node, for messages; the class is `?` where its region is not there.

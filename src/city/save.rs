@@ -27,6 +27,9 @@ struct SavedCity {
     plan: u64,
     tick: Tick,
     agents: Vec<NodeId>,
+    /// Where agents began; missing in saves from before this was known.
+    #[serde(default)]
+    homes: BTreeMap<NodeId, RegionId>,
     whereabouts: BTreeMap<NodeId, RegionId>,
     journeys: BTreeMap<NodeId, Journey>,
     /// The changes of each journey so far, as text: it takes classes to read them.
@@ -128,6 +131,7 @@ impl City {
             plan: self.space().digest().0,
             tick: self.tick,
             agents: self.agents.clone(),
+            homes: self.homes.clone(),
             whereabouts: self.whereabouts.clone(),
             changes: changes.collect::<Result<_, serde_json::Error>>()?,
             called: called.collect(),
@@ -181,6 +185,7 @@ impl City {
             asleep,
             whereabouts: saved.whereabouts,
             agents: saved.agents,
+            homes: if saved.homes.is_empty() { self.homes.clone() } else { saved.homes },
             journeys: saved.journeys,
             lifts,
             endings: Vec::new(),

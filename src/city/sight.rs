@@ -9,9 +9,9 @@ use vc_graph::space::{PortalId, PortalSide, RegionId};
 use super::City;
 
 /// Through how many portals one sees, one behind the other.
-const PORTALS: u32 = 3;
+pub(super) const PORTALS: u32 = 3;
 /// How far away a portal is seen, metres.
-const FAR: f32 = 60.0;
+pub(super) const FAR: f32 = 60.0;
 
 /// A region that is seen from another one.
 #[derive(Debug, Clone, PartialEq)]

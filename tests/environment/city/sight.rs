@@ -2,11 +2,11 @@
 
 use virtualcity::graph::clock::Span;
 use virtualcity::graph::space::RegionId;
-use virtualcity::graph::{Action, Digest, NodeId, Seed, Verb};
+use virtualcity::graph::{Action, Digest, Goal, NodeId, Seed, Verb};
 use virtualcity::nalgebra::{Isometry3, Point3};
 use virtualcity::procgen::{Building, BuildingStorey};
 use virtualcity::render::{Camera, Frame, Modalities, Modality};
-use virtualcity::{City, CityError, Viewpoint};
+use virtualcity::{City, CityError, GoalScope, Viewpoint};
 
 use super::{CABIN, YARD, city, landing, of_class};
 
@@ -100,6 +100,65 @@ fn regions_agree_on_what_a_camera_sees() {
     // Edges fall on one pixel or the next.
     assert!(alike > pixels * 98 / 100, "{alike} of {pixels} pixels are alike");
     assert_eq!(regions(&city, &here), regions(&city, &other));
+}
+
+/// From the passage one sees back into the yard, what is in line with the opening and near enough.
+#[test]
+fn observations_reach_through_portals() {
+    let mut city = city(1);
+    let me = city.agents().next().unwrap();
+    let there = city.peek(landing(0)).unwrap();
+    let [beyond, room] = [there.graph().of_class("table")[0], there.graph().rooms()[0]];
+    let seen = city.observation(me, 30.0).unwrap();
+    assert!(seen.ids().eq(city.environment_of(me).unwrap().observation(me, 30.0).ids()));
+    let first = &seen.beyond()[0];
+    assert_eq!((first.region, first.portals.len()), (landing(0), 1));
+    assert!(first.seen.sees(room) && !first.seen.sees(beyond), "the table there is beside the opening");
+    let table = of_class(&city, YARD, "table");
+    let cup = of_class(&city, YARD, "cup");
+    city.go(me, landing(0)).unwrap();
+    let before = city.digest();
+    let seen = city.observation(me, 30.0).unwrap();
+    let back = seen.beyond().iter().find(|other| other.region == YARD).unwrap();
+    assert!(back.seen.sees(table) && back.seen.sees(cup));
+    assert!(seen.references().any(|(region, node)| region == YARD && node.id() == cup));
+    assert!(seen.references().any(|(region, node)| region == landing(0) && node.id() == beyond));
+    let near = city.observation(me, 2.0).unwrap();
+    assert!(near.beyond().iter().all(|other| !other.seen.sees(cup)), "it is farther away");
+    let rooms = city.room_observation(me).unwrap();
+    assert!(rooms.sees(beyond) && rooms.beyond().iter().any(|other| other.seen.sees(cup)));
+    assert_eq!(city.digest(), before);
+}
+
+/// A goal is about what is in its scope: the home and what is carried, a place, the world.
+#[test]
+fn goals_have_a_scope() {
+    let mut city = city(1);
+    let me = city.agents().next().unwrap();
+    assert_eq!(city.home(me), Some(YARD));
+    let goal = |text: &str| -> Goal { text.parse().unwrap() };
+    let holds = |city: &City, text: &str, scope| city.holds(&goal(text), me, scope).unwrap();
+    assert!(holds(&city, "On(cup, table)", GoalScope::Home));
+    let cup = super::take_cup(&mut city, me);
+    city.go(me, landing(0)).unwrap();
+    // It is not at home, and carries the cup.
+    assert!(holds(&city, "Holds(cup)", GoalScope::Home) && !holds(&city, "On(cup, table)", GoalScope::Home));
+    assert!(!holds(&city, "On(cup, table), 2", GoalScope::Place(landing(0))));
+    let table = of_class(&city, landing(0), "table");
+    city.set_action(me, Action::walk(table)).unwrap();
+    city.set_action(me, Action::place(cup, table)).unwrap();
+    city.go(me, YARD).unwrap();
+    city.step(Span::from_seconds(5.0));
+    let (digest, active) = (city.digest(), city.active().collect::<Vec<RegionId>>());
+    assert!(holds(&city, "On(cup, table), 2", GoalScope::Place(landing(0))));
+    assert!(holds(&city, "On(cup, table), 2", GoalScope::Place(RegionId(0))), "the house has it, too");
+    assert!(holds(&city, "On(cup, table), 2", GoalScope::World) && !holds(&city, "On(cup, table), 3", GoalScope::World));
+    assert!(holds(&city, &format!("On({}, {})", city.label(cup), city.label(table)), GoalScope::World));
+    assert!(!holds(&city, "On(cup, table)", GoalScope::Home));
+    assert_eq!(city.score(&goal("On(cup, table), 4"), me, GoalScope::World).unwrap(), 0.5);
+    assert_eq!((city.digest(), city.active().collect::<Vec<RegionId>>()), (digest, active));
+    let again = super::city(1).restore(&city.save().unwrap()).unwrap();
+    assert_eq!(again.home(me), Some(YARD));
 }
 
 /// A lift is seen into where its cabin stands with open doors, and there only.
