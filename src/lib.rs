@@ -110,7 +110,8 @@ pub use check::{ContractViolation, Tally, check_environment, legal_action, rando
 pub use city::CityView;
 #[cfg(feature = "environment")]
 pub use city::{
-    Beyond, City, CityBuilder, CityEnding, CityError, CityObservation, CitySaveError, GoalScope, LiftState, RegionScenes,
+    Beyond, City, CityBuilder, CityEnding, CityError, CityObservation, CitySaveError, GoalScope, LiftState,
+    RegionScenes,
 };
 #[cfg(feature = "environment")]
 pub use environment::{

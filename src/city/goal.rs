@@ -48,7 +48,7 @@ impl City {
     /// let mut city = City::make("building/7", 1)?;
     /// let me = city.agents().next().ok_or("nobody")?;
     /// let yard = city.space().regions().find(|(_, region)| &*region.name == "yard").ok_or("no yard")?.0;
-    /// let goal: Goal = "Inside(me, yard)".parse()?;
+    /// let goal: Goal = "Inside(me, garden)".parse()?;
     /// assert!(!city.holds(&goal, me, GoalScope::Place(yard))?);
     /// city.go(me, yard)?;
     /// assert!(city.holds(&goal, me, GoalScope::Place(yard))?);
@@ -72,12 +72,7 @@ impl City {
     }
 
     /// The scenes of a scope as one, and what has been done there.
-    fn situation(
-        &self,
-        goal: &Goal,
-        agent: NodeId,
-        scope: GoalScope,
-    ) -> Result<(SceneGraph, Vec<Event>), CityError> {
+    fn situation(&self, goal: &Goal, agent: NodeId, scope: GoalScope) -> Result<(SceneGraph, Vec<Event>), CityError> {
         let there = self.environment_with(agent)?;
         let regions = self.regions_of(goal, agent, scope);
         let seen = regions.iter().map(|region| self.seen(*region)).collect::<Result<Vec<Cow<'_, Environment>>, _>>()?;

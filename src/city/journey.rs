@@ -307,7 +307,7 @@ impl City {
             return Ok(None);
         }
         let before = beside(plan, region);
-        let spot = environment.spot_near(agent, before).ok_or(TravelError::NoFloor { region, within: 1.5 })?;
+        let spot = environment.spot_near(agent, before, &[]).ok_or(TravelError::NoFloor { region, within: 1.5 })?;
         let stands = environment.posture(agent) == Some(Posture::Standing);
         if stands && distance(&spot, &Point2::from(feet.translation.vector.xy())) < THERE {
             return Ok(None);
@@ -429,9 +429,10 @@ impl City {
                 return Err(why.into());
             }
         };
+        let taken = self.ends_of_ways(into);
         let next = self.active.get_mut(&into).ok_or(CityError::NoScene(into))?;
         let room = side.room.or_else(|| next.room_to_enter().map(|(room, _)| room)).unwrap_or(NodeId(0));
-        let done = match next.arrive(&departure, (into, room), &shift, threshold, beside(plan, into)) {
+        let done = match next.arrive(&departure, (into, room), &shift, threshold, (beside(plan, into), &taken)) {
             Ok((spot, entered)) => {
                 for node in departure.nodes() {
                     if self.space().made_in(node) == Some(into) {
@@ -452,6 +453,17 @@ impl City {
             self.active.extend(before);
         }
         done
+    }
+
+    /// The spots of a region to which those go who are coming in.
+    fn ends_of_ways(&self, region: RegionId) -> Vec<Point2<f32>> {
+        let end = |journey: &Journey| match &journey.stage {
+            Stage::Crossing(crossing) if crossing.is_beyond && crossing.into == region => {
+                crossing.way.last().map(|end| end.xy())
+            }
+            _ => None,
+        };
+        self.journeys.values().filter_map(end).collect()
     }
 
     fn come_through(&mut self, agent: NodeId, crossing: &Crossing) {

@@ -113,7 +113,7 @@ impl City {
         let environment = self.wake(region)?;
         let (room, spot) = environment.room_to_enter().ok_or(TravelError::NoFloor { region, within: 0.0 })?;
         let feet = Pose::translation(spot.x, spot.y, environment.floor().options().level);
-        let (spot, _) = environment.arrive(&newcomer, (region, room), &Pose::identity(), feet, spot)?;
+        let (spot, _) = environment.arrive(&newcomer, (region, room), &Pose::identity(), feet, (spot, &[]))?;
         environment.place_feet(id, Pose::translation(spot.x, spot.y, feet.translation.z));
         self.whereabouts.insert(id, region);
         self.agents.push(id);

@@ -129,12 +129,19 @@ impl City {
         node.map_or_else(|| Label { class: "?".into(), id }, vc_graph::Node::label)
     }
 
-    /// The action that an agent is doing or is about to begin: a walk to another region as it was given.
+    /// The action that an agent is doing or is about to begin: a walk to another region as it was given. One that was
+    /// [sent](Self::send) to a region has none, and [is busy](Self::is_busy).
     pub fn current_action(&self, agent: NodeId) -> Option<&Action> {
         match self.journeys.get(&agent) {
             Some(journey) => journey.action.as_ref(),
             None => self.environment_of(agent)?.current_action(agent),
         }
+    }
+
+    /// Whether an agent has something to do: an action, or a way to another region.
+    pub fn is_busy(&self, agent: NodeId) -> bool {
+        let acts = || self.environment_of(agent).is_some_and(|there| there.current_action(agent).is_some());
+        self.journeys.contains_key(&agent) || acts()
     }
 
     /// Where a region is now, in the world: the cabin of a lift moves.

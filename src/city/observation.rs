@@ -184,7 +184,8 @@ impl Look<'_> {
         let points = node.aabb().map(|bounds| bounds.centre()).or_else(|| node.position()).into_iter().chain(corners);
         let is_seen = |at: Point3<f32>| {
             let at = frame * at;
-            (at - self.eye).norm() <= self.radius && self.openings.iter().all(|opening| opening.lets_see(&self.eye, &at))
+            (at - self.eye).norm() <= self.radius
+                && self.openings.iter().all(|opening| opening.lets_see(&self.eye, &at))
         };
         points.into_iter().any(is_seen)
     }

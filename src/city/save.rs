@@ -57,6 +57,14 @@ pub enum CitySaveError {
     /// The city was made of another plan.
     #[error("the city was saved with another plan of regions: make this one of the same name or source")]
     OtherPlan,
+    /// The city has another number of agents.
+    #[error("the city was saved with {saved} agents, and this one has {here}: make it with as many")]
+    OtherAgents {
+        /// The number of those that were saved.
+        saved: usize,
+        /// The number of those of the city that was to restore it.
+        here: usize,
+    },
     /// The scene of a region is another one than when the city was saved.
     #[error("{0} is made otherwise than when the city was saved: its generator or the settings have changed")]
     OtherRegion(RegionId),
@@ -156,6 +164,9 @@ impl City {
         let mut saved: SavedCity = serde_json::from_slice(head)?;
         if saved.plan != self.space().digest().0 {
             return Err(CitySaveError::OtherPlan);
+        }
+        if saved.agents.len() != self.agents.len() {
+            return Err(CitySaveError::OtherAgents { saved: saved.agents.len(), here: self.agents.len() });
         }
         if saved.regions.len() != regions.len() {
             return Err(CitySaveError::NotSaved);

@@ -155,6 +155,30 @@ impl City {
         std::mem::take(&mut self.endings)
     }
 
+    /// Lets time pass until no agent has anything to do any more, at most a span; returns the actions that have ended.
+    ///
+    /// ```
+    /// use virtualcity::City;
+    /// use virtualcity::graph::clock::Span;
+    /// let mut city = City::make("building/7", 1)?;
+    /// let me = city.agents().next().ok_or("nobody")?;
+    /// let yard = city.space().regions().find(|(_, region)| &*region.name == "yard").ok_or("no yard")?.0;
+    /// city.send(me, yard)?;
+    /// assert!(city.is_busy(me));
+    /// assert_eq!(city.step_until_idle(Span::from_seconds(300.0)).len(), 1);
+    /// assert_eq!((city.region_of(me), city.is_busy(me)), (Some(yard), false));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn step_until_idle(&mut self, most: Span) -> Vec<CityEnding> {
+        let end = self.tick + most;
+        while let Some(agent) = self.agents.iter().copied().find(|agent| self.is_busy(*agent))
+            && self.tick < end
+        {
+            self.advance(end, Some((agent, self.endings.len())));
+        }
+        self.step(Span(0))
+    }
+
     /// Lets time pass until a tick at most, or until something has to be looked at: a step of a journey, or the end of what
     /// an agent does, if its ending is the first after some that are known.
     fn advance(&mut self, end: Tick, whom: Option<(NodeId, usize)>) {

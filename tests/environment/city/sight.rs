@@ -152,7 +152,9 @@ fn goals_have_a_scope() {
     let (digest, active) = (city.digest(), city.active().collect::<Vec<RegionId>>());
     assert!(holds(&city, "On(cup, table), 2", GoalScope::Place(landing(0))));
     assert!(holds(&city, "On(cup, table), 2", GoalScope::Place(RegionId(0))), "the house has it, too");
-    assert!(holds(&city, "On(cup, table), 2", GoalScope::World) && !holds(&city, "On(cup, table), 3", GoalScope::World));
+    assert!(
+        holds(&city, "On(cup, table), 2", GoalScope::World) && !holds(&city, "On(cup, table), 3", GoalScope::World)
+    );
     assert!(holds(&city, &format!("On({}, {})", city.label(cup), city.label(table)), GoalScope::World));
     assert!(!holds(&city, "On(cup, table)", GoalScope::Home));
     assert_eq!(city.score(&goal("On(cup, table), 4"), me, GoalScope::World).unwrap(), 0.5);
