@@ -28,7 +28,7 @@ use vc_graph::{Action, Digest, Label, NodeId};
 
 use crate::{Environment, EnvironmentBuilder};
 
-pub use error::CityError;
+pub use error::{CityError, RegionLabel};
 pub use goal::GoalScope;
 use journey::Journey;
 pub use lift::LiftState;
@@ -127,6 +127,11 @@ impl City {
     pub fn label(&self, id: NodeId) -> Label {
         let node = self.region_of(id).and_then(|region| self.environment(region)?.graph().node(id));
         node.map_or_else(|| Label { class: "?".into(), id }, vc_graph::Node::label)
+    }
+
+    /// A region as messages name it: by its path.
+    pub fn region_label(&self, region: RegionId) -> RegionLabel {
+        RegionLabel::new(self.space(), region)
     }
 
     /// The action that an agent is doing or is about to begin: a walk to another region as it was given. One that was

@@ -129,7 +129,8 @@ impl City {
         (width, height): (u32, u32),
     ) -> Result<Frame, CityError> {
         let region = region.or_else(|| self.region_of_view(view)).ok_or(CityError::NoRegion)?;
-        let fault = |why: crate::PictureError| CityError::Picture { region, why: why.into() };
+        let fault =
+            |why: crate::PictureError| CityError::Picture { region: self.region_label(region), why: why.into() };
         let here = self.seen(region)?;
         let how = self.outside(region, here.pictures());
         let camera = here.camera(view, width, height).map_err(fault)?;

@@ -4,7 +4,7 @@ use vc_graph::clock::Span;
 use vc_graph::space::{RegionId, SpaceError};
 use vc_graph::{Node, NodeId, State};
 
-use super::{City, CityError};
+use super::{City, CityError, RegionLabel};
 use crate::Environment;
 
 impl City {
@@ -20,18 +20,21 @@ impl City {
             self.active.insert(region, environment);
             self.move_lift_doors(region);
         }
-        self.active.get_mut(&region).ok_or(CityError::NoScene(region))
+        let space = self.source.space();
+        self.active.get_mut(&region).ok_or_else(|| CityError::NoScene(RegionLabel::new(space, region)))
     }
 
     /// The environment of a region as it is before anybody has been there.
     pub(super) fn made(&self, region: RegionId) -> Result<Environment, CityError> {
-        let plan = self.space().region(region).filter(|plan| plan.has_scene()).ok_or(CityError::NoScene(region))?;
-        let scene = self.source.scene(region).map_err(|why| CityError::Scene { region, why: why.into() })?;
+        let plan = self.space().region(region).filter(|plan| plan.has_scene());
+        let label = || self.region_label(region);
+        let plan = plan.ok_or_else(|| CityError::NoScene(label()))?;
+        let scene = self.source.scene(region).map_err(|why| CityError::Scene { region: label(), why: why.into() })?;
         if let Some(node) = scene.nodes().find(|node| !plan.numbers.has(node.id())) {
             return Err(SpaceError::ForeignNumber { region, node: Node::label(node) }.into());
         }
         let made = self.settings.clone().scene(scene).unpeopled().make();
-        made.map_err(|why| CityError::Make { region, why: why.into() })
+        made.map_err(|why| CityError::Make { region: label(), why: why.into() })
     }
 
     /// Lets regions go in which nobody is and nothing moves.

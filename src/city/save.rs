@@ -11,7 +11,7 @@ use vc_graph::{NodeId, ObjectNames};
 
 use super::journey::Journey;
 use super::lift::{Lift, Lifts};
-use super::{City, CityError};
+use super::{City, CityError, RegionLabel};
 use crate::Environment;
 use crate::environment::SaveError;
 use crate::parts::{self, Magic, PartsFault};
@@ -67,12 +67,12 @@ pub enum CitySaveError {
     },
     /// The scene of a region is another one than when the city was saved.
     #[error("{0} is made otherwise than when the city was saved: its generator or the settings have changed")]
-    OtherRegion(RegionId),
+    OtherRegion(RegionLabel),
     /// A region cannot be saved or restored.
     #[error("{region}: {why}")]
     Region {
         /// The region.
-        region: RegionId,
+        region: RegionLabel,
         /// The reason.
         #[source]
         why: Arc<SaveError>,
@@ -129,7 +129,9 @@ impl City {
         let asleep = self.asleep.iter().map(|(region, environment)| (*region, environment, false));
         let all: Vec<(RegionId, &Environment, bool)> = active.chain(asleep).collect();
         let save = |(region, environment, _): &(RegionId, &Environment, bool)| {
-            environment.save().map_err(|why| CitySaveError::Region { region: *region, why: Arc::new(why) })
+            environment
+                .save()
+                .map_err(|why| CitySaveError::Region { region: self.region_label(*region), why: Arc::new(why) })
         };
         let regions = all.iter().map(save).collect::<Result<Vec<_>, _>>()?;
         let changes =
@@ -185,8 +187,9 @@ impl City {
             let at = saved.whereabouts.get(agent).and_then(|region| Some((*region, active.get(region)?)));
             let (region, environment): (RegionId, &Environment) = at.ok_or(CitySaveError::NotSaved)?;
             let changes = saved.changes.get(agent).map_or("[]", String::as_str);
-            let changes = native::read_changes(changes, environment.graph().classes())
-                .map_err(|why| CitySaveError::Region { region, why: Arc::new(why.into()) })?;
+            let changes = native::read_changes(changes, environment.graph().classes()).map_err(|why| {
+                CitySaveError::Region { region: self.region_label(region), why: Arc::new(why.into()) }
+            })?;
             journey.take_up(saved.called.get(agent).copied(), changes);
         }
         let lifts = Lifts::restored(saved.lifts, self.space()).ok_or(CitySaveError::NotSaved)?;
@@ -207,8 +210,8 @@ impl City {
     fn restored_region(&self, region: RegionId, bytes: &[u8]) -> Result<Environment, CitySaveError> {
         let made = self.made(region).map_err(Box::new)?;
         made.restore(bytes).map_err(|why| match why {
-            SaveError::OtherStart { .. } => CitySaveError::OtherRegion(region),
-            why => CitySaveError::Region { region, why: Arc::new(why) },
+            SaveError::OtherStart { .. } => CitySaveError::OtherRegion(self.region_label(region)),
+            why => CitySaveError::Region { region: self.region_label(region), why: Arc::new(why) },
         })
     }
 }
