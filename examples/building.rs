@@ -15,11 +15,11 @@ use clap::Parser;
 use support::{Complaint, say};
 use virtualcity::graph::clock::Span;
 use virtualcity::graph::space::{PortalKind, RegionId};
-use virtualcity::graph::{Action, Node, NodeId, Place, Property, Relation, Seed, State, Verb, Vocabulary, Word};
+use virtualcity::graph::{Action, Goal, Node, NodeId, Property, Seed, State, Verb, Vocabulary, Word};
 use virtualcity::procgen::Building;
 use virtualcity::render::Modality;
 use virtualcity::render::picture::{self, Picture};
-use virtualcity::{City, Environment, Viewpoint};
+use virtualcity::{City, Environment, GoalScope, Viewpoint};
 
 /// Takes something to eat to neighbours.
 #[derive(Parser)]
@@ -86,8 +86,7 @@ fn main() -> Result<(), Complaint> {
     let (table, orders) = first_that_works(&play.city, me, table, put)?;
     play.play(orders.into_iter().map(Order::Do))?;
     tell(&play.city, me, &format!("has put it on {}", play.city.label(table)));
-    let place = Place { relation: Relation::On, at: table };
-    let brought = play.city.environment(above).is_some_and(|there| there.graph().places(food).any(|at| at == place));
+    let goal: Goal = format!("On({}, {})", play.city.label(food), play.city.label(table)).parse()?;
     play.play([Order::Go(home)])?;
     tell(&play.city, me, "is back");
     let wet = play.finish_watering()?;
@@ -95,8 +94,13 @@ fn main() -> Result<(), Complaint> {
     virtualcity::files::write(options.out.join("strip.png"), picture::png(&play.strip())?)?;
     say!("film.gif, strip.png and a map of each storey in {}", options.out.display());
     let Play { city, .. } = play;
-    match brought && wet == waters && city.region_of(food) == Some(above) && city.region_of(me) == Some(home) {
-        true => Ok(()),
+    let brought = city.holds(&goal, me, GoalScope::Place(above))?;
+    let is_back = city.home(me) == Some(home) && city.region_of(me) == Some(home);
+    match brought && wet == waters && is_back {
+        true => {
+            say!("verified: {goal} holds in {}", city.space().path(above));
+            Ok(())
+        }
         false => Err(Complaint::new("the food is not where it was brought, or plants are as dry as before")),
     }
 }
@@ -127,7 +131,7 @@ impl Play {
     /// Waters what is left to water, and says whether anything is wet.
     fn finish_watering(&mut self) -> Result<bool, Complaint> {
         let waterer = self.waterer.0;
-        while self.city.current_action(waterer).is_some() || !self.waterer.1.is_empty() {
+        while self.city.is_busy(waterer) || !self.waterer.1.is_empty() {
             self.pass(waterer)?;
         }
         let there = self.city.environment_of(waterer);
@@ -161,11 +165,11 @@ impl Play {
         Picture::sheet(&shown, 4, 4)
     }
 
-    /// The room in which the first agent is.
+    /// The room in which the first agent is, with what is seen from there through open doors.
     fn picture(&self) -> Result<Option<Picture>, Complaint> {
-        let Some(there) = self.city.environment_of(self.me) else { return Ok(None) };
-        let now = there.moment();
-        let Some(room) = now.graph().room_of(self.me) else { return Ok(None) };
+        let now = self.city.moment();
+        let there = now.environment_of(self.me);
+        let Some(room) = there.and_then(|there| there.graph().room_of(self.me)) else { return Ok(None) };
         let frame = now.render(Viewpoint::Room(room), Modality::Rgb, self.width, self.width * 3 / 4)?;
         Ok(Some(picture::rgb(&frame)))
     }

@@ -58,7 +58,7 @@
 //! |---|---|
 //! | [`Environment`] | make, reset, observation, render, set action; the clock (`give`, `step`, `interrupt`); save and restore |
 //! | [`EnvironmentBuilder`] | settings: bodies, gravity, hour, fields of view, classes, relations, durations, cameras, threads |
-//! | [`City`], [`RegionScenes`] | several environments joined by doors, stairs and lifts (begun): going between them, save and restore |
+//! | [`City`], [`RegionScenes`] | several environments joined by doors, stairs and lifts (begun): going between them, seeing through doors, goals with a scope, save and restore |
 //! | [`Ending`], [`ActionError`], [`Interruption`], [`PhysicalRefusal`] | how an action ended, and why it was not done |
 //! | [`EnvironmentState`] | a home at rest in some kilobytes, for searches that keep many |
 //! | [`Control`] | velocity, head and hands of a body in every tick, beside actions |
@@ -106,8 +106,13 @@ mod record;
 pub use batch::Batch;
 #[cfg(feature = "environment")]
 pub use check::{ContractViolation, Tally, check_environment, legal_action, random_action, run};
+#[cfg(all(feature = "environment", feature = "render"))]
+pub use city::CityView;
 #[cfg(feature = "environment")]
-pub use city::{City, CityBuilder, CityEnding, CityError, CitySaveError, LiftState, RegionScenes};
+pub use city::{
+    Beyond, City, CityBuilder, CityEnding, CityError, CityObservation, CitySaveError, GoalScope, LiftState,
+    RegionLabel, RegionScenes,
+};
 #[cfg(feature = "environment")]
 pub use environment::{
     ActionError, AlterError, Assets, Attempt, Control, ControlledHand, Difference, Disagreement, Displaced, Ending,

@@ -1,12 +1,43 @@
 //! Errors of cities.
 
+use std::fmt;
 use std::sync::Arc;
 
 use vc_graph::Label;
-use vc_graph::space::{RegionId, SpaceError};
+use vc_graph::space::{RegionId, Space, SpaceError};
 
 use crate::environment::{MakeError, TravelError};
 use crate::{ActionError, Interruption, PhysicalRefusal};
+
+/// A region in messages: its path, `building/7/storey 0/gallery`.
+///
+/// ```
+/// use virtualcity::graph::space::RegionId;
+/// let city = virtualcity::City::make("building/7", 0)?;
+/// assert_eq!(city.region_label(RegionId(1)).to_string(), "building/7/lift");
+/// assert_eq!(city.region_label(RegionId(99)).to_string(), "region 99");
+/// # Ok::<(), virtualcity::CityError>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct RegionLabel {
+    /// Its number.
+    pub id: RegionId,
+    /// Its name after those of the regions that it is part of; empty if there is no such region.
+    pub path: Arc<str>,
+}
+
+impl RegionLabel {
+    pub(super) fn new(space: &Space, id: RegionId) -> Self {
+        Self { id, path: space.path(id).into() }
+    }
+}
+
+impl fmt::Display for RegionLabel {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.path.is_empty() { self.id.fmt(f) } else { f.write_str(&self.path) }
+    }
+}
 
 /// Why something cannot be done in a city.
 #[derive(Debug, Clone, thiserror::Error)]
@@ -23,12 +54,12 @@ pub enum CityError {
     NoSuchAgent(Label),
     /// There is no such region, or it is a group without a scene.
     #[error("{0} has no scene in this city")]
-    NoScene(RegionId),
+    NoScene(RegionLabel),
     /// The scene of a region cannot be made.
     #[error("{region} cannot be made: {why}")]
     Scene {
         /// The region.
-        region: RegionId,
+        region: RegionLabel,
         /// The reason.
         #[source]
         why: Arc<dyn std::error::Error + Send + Sync>,
@@ -40,7 +71,7 @@ pub enum CityError {
     #[error("{region} cannot be made: {why}")]
     Make {
         /// The region.
-        region: RegionId,
+        region: RegionLabel,
         /// The reason.
         #[source]
         why: Arc<MakeError>,
@@ -49,9 +80,17 @@ pub enum CityError {
     #[error("no way leads from {from} to {to}: no portal through which one gets there joins them")]
     NoWay {
         /// The region of the agent.
-        from: RegionId,
+        from: RegionLabel,
         /// The region where it was to go.
-        to: RegionId,
+        to: RegionLabel,
+    },
+    /// There is nowhere to stand beyond a threshold.
+    #[error("there is no free floor within {within} m of the threshold of {region}")]
+    NoFloor {
+        /// The region that was to be entered.
+        region: RegionLabel,
+        /// How far from the threshold free floor was sought, metres.
+        within: f32,
     },
     /// The doors of a lift open and shut with its cabin.
     #[error("{0} opens and shuts by itself, where the cabin stands: push a button to call it")]
@@ -62,9 +101,22 @@ pub enum CityError {
     /// A way to another region was given up for another action.
     #[error("{0} was interrupted on its way: it was given something else to do, or told to stop")]
     Interrupted(Label),
+    /// A viewpoint has neither agent nor room.
+    #[error("it is not said in which region the camera is: write `(region, viewpoint)`")]
+    NoRegion,
+    /// A picture cannot be made.
+    #[cfg(feature = "render")]
+    #[error("there is no picture in {region}: {why}")]
+    Picture {
+        /// The region of the camera.
+        region: RegionLabel,
+        /// The reason.
+        #[source]
+        why: Arc<crate::PictureError>,
+    },
     /// The agent cannot leave a region or enter the next.
     #[error(transparent)]
-    Travel(#[from] TravelError),
+    Travel(TravelError),
     /// The bodies do not allow it.
     #[error(transparent)]
     Bodies(#[from] PhysicalRefusal),
@@ -74,10 +126,20 @@ pub enum CityError {
 }
 
 impl CityError {
+    /// A reason why somebody does not go from region to region, with their paths.
+    pub(super) fn of_travel(space: &Space, why: TravelError) -> Self {
+        match why {
+            TravelError::NoFloor { region, within } => {
+                Self::NoFloor { region: RegionLabel::new(space, region), within }
+            }
+            why => Self::Travel(why),
+        }
+    }
+
     /// Whether it may be otherwise in a while: somebody is in the way.
     pub(super) fn may_pass(&self) -> bool {
         match self {
-            Self::Travel(TravelError::NoFloor { .. }) | Self::Action(ActionError::Impossible { .. }) => true,
+            Self::NoFloor { .. } | Self::Action(ActionError::Impossible { .. }) => true,
             Self::Action(ActionError::Interrupted { why, .. }) => {
                 !matches!(**why, Interruption::Cancelled | Interruption::Replaced(_))
             }

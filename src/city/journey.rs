@@ -12,9 +12,8 @@ use vc_graph::{Action, ChangeSet, NodeId, ObjectNames, Pose, Verb};
 use vc_physics::Posture;
 
 use super::time::CityEnding;
-use super::{City, CityError, lift};
+use super::{City, CityError, RegionLabel, lift};
 use crate::Environment;
-use crate::environment::TravelError;
 
 /// Speed on level ground and over stairs, along their slope, metres a second.
 const LEVEL: f32 = 1.2;
@@ -157,7 +156,7 @@ impl City {
         let takes = |plan: &Portal| plan.kind != PortalKind::Window && own.is_none_or(|takes| takes(plan));
         let takes = |portal: PortalId| self.space().portal(portal).is_some_and(takes);
         let way = self.space().route(from, (to, Point3::origin()), takes);
-        way.ok_or(CityError::NoWay { from: from.0, to })
+        way.ok_or_else(|| CityError::NoWay { from: self.region_label(from.0), to: self.region_label(to) })
     }
 
     /// Whether an agent is between two regions.
@@ -307,7 +306,8 @@ impl City {
             return Ok(None);
         }
         let before = beside(plan, region);
-        let spot = environment.spot_near(agent, before).ok_or(TravelError::NoFloor { region, within: 1.5 })?;
+        let no_floor = || CityError::NoFloor { region: self.region_label(region), within: 1.5 };
+        let spot = environment.spot_near(agent, before, &[]).ok_or_else(no_floor)?;
         let stands = environment.posture(agent) == Some(Posture::Standing);
         if stands && distance(&spot, &Point2::from(feet.translation.vector.xy())) < THERE {
             return Ok(None);
@@ -420,18 +420,19 @@ impl City {
         self.wake(into)?;
         let both = [from, into].into_iter().filter_map(|region| Some((region, self.active.get(&region)?.clone())));
         let before: Vec<(RegionId, Environment)> = both.collect();
-        let home = self.active.get_mut(&from).ok_or(CityError::NoScene(from))?;
+        let home = self.active.get_mut(&from).ok_or_else(|| CityError::NoScene(RegionLabel::new(&space, from)))?;
         let departed = home.depart(agent, from);
         let (departure, left) = match departed {
             Ok(departed) => departed,
             Err(why) => {
                 self.active.extend(before);
-                return Err(why.into());
+                return Err(CityError::of_travel(&space, why));
             }
         };
-        let next = self.active.get_mut(&into).ok_or(CityError::NoScene(into))?;
+        let taken = self.ends_of_ways(into);
+        let next = self.active.get_mut(&into).ok_or_else(|| CityError::NoScene(RegionLabel::new(&space, into)))?;
         let room = side.room.or_else(|| next.room_to_enter().map(|(room, _)| room)).unwrap_or(NodeId(0));
-        let done = match next.arrive(&departure, (into, room), &shift, threshold, beside(plan, into)) {
+        let done = match next.arrive(&departure, (into, room), &shift, threshold, (beside(plan, into), &taken)) {
             Ok((spot, entered)) => {
                 for node in departure.nodes() {
                     if self.space().made_in(node) == Some(into) {
@@ -445,13 +446,24 @@ impl City {
                 self.changed(agent, left.then(entered));
                 Ok(())
             }
-            Err(why) => Err(why.into()),
+            Err(why) => Err(CityError::of_travel(&space, why)),
         };
         if done.is_err() {
             // Nobody is lost between two regions.
             self.active.extend(before);
         }
         done
+    }
+
+    /// The spots of a region to which those go who are coming in.
+    fn ends_of_ways(&self, region: RegionId) -> Vec<Point2<f32>> {
+        let end = |journey: &Journey| match &journey.stage {
+            Stage::Crossing(crossing) if crossing.is_beyond && crossing.into == region => {
+                crossing.way.last().map(|end| end.xy())
+            }
+            _ => None,
+        };
+        self.journeys.values().filter_map(end).collect()
     }
 
     fn come_through(&mut self, agent: NodeId, crossing: &Crossing) {

@@ -4,12 +4,12 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use vc_graph::clock::Tick;
-use vc_graph::space::{NumberBlock, Region, RegionId};
+use vc_graph::space::{NumberBlock, Region, RegionId, Space};
 use vc_graph::{Draft, NodeId, Pose, SceneBuilder};
 use vc_physics::{PhysicsWorld, ShapeCache};
 
 use super::lift::Lifts;
-use super::{City, CityError, RegionScenes, source};
+use super::{City, CityError, RegionLabel, RegionScenes, source};
 use crate::environment::{Departure, TravelError};
 use crate::{Environment, EnvironmentBuilder};
 
@@ -49,14 +49,16 @@ impl CityBuilder {
             asleep: BTreeMap::new(),
             whereabouts: BTreeMap::new(),
             agents: Vec::new(),
+            homes: BTreeMap::new(),
             journeys: BTreeMap::new(),
             ways: BTreeMap::new(),
             lifts,
             endings: Vec::new(),
+            glances: Arc::default(),
         };
         let begins: Vec<RegionId> = city.beginnings();
         if begins.is_empty() && agents > 0 {
-            return Err(CityError::NoScene(RegionId(0)));
+            return Err(CityError::NoScene(city.region_label(RegionId(0))));
         }
         for agent in 0..agents {
             city.add_agent(begins[agent % begins.len()])?;
@@ -107,25 +109,30 @@ impl City {
     /// [`CityError`]; nothing has changed then.
     pub fn add_agent(&mut self, region: RegionId) -> Result<NodeId, CityError> {
         let id = NodeId(NumberBlock::TRAVELLERS.first + self.agents.len() as u32);
-        let newcomer = newcomer(id, self.agents.len(), region)?;
+        let space = self.space().clone();
+        let newcomer = newcomer(id, self.agents.len(), (&space, region))?;
         let environment = self.wake(region)?;
-        let (room, spot) = environment.room_to_enter().ok_or(TravelError::NoFloor { region, within: 0.0 })?;
+        let no_floor = || CityError::of_travel(&space, TravelError::NoFloor { region, within: 0.0 });
+        let (room, spot) = environment.room_to_enter().ok_or_else(no_floor)?;
         let feet = Pose::translation(spot.x, spot.y, environment.floor().options().level);
-        let (spot, _) = environment.arrive(&newcomer, (region, room), &Pose::identity(), feet, spot)?;
+        let arrived = environment.arrive(&newcomer, (region, room), &Pose::identity(), feet, (spot, &[]));
+        let (spot, _) = arrived.map_err(|why| CityError::of_travel(&space, why))?;
         environment.place_feet(id, Pose::translation(spot.x, spot.y, feet.translation.z));
         self.whereabouts.insert(id, region);
         self.agents.push(id);
+        self.homes.insert(id, region);
         Ok(id)
     }
 }
 
 /// Somebody who has not been anywhere.
-fn newcomer(id: NodeId, looks: usize, region: RegionId) -> Result<Departure, CityError> {
-    let fault = |why: vc_graph::EditError| CityError::Scene { region, why: Arc::new(why) };
+fn newcomer(id: NodeId, looks: usize, (space, region): (&Space, RegionId)) -> Result<Departure, CityError> {
+    let label = || RegionLabel::new(space, region);
+    let fault = |why: vc_graph::EditError| CityError::Scene { region: label(), why: Arc::new(why) };
     let mut scene = SceneBuilder::new("nowhere");
     let mut library = vc_graph::AssetLibrary::default();
-    let asset =
-        vc_people::add_to(&mut library, looks).map_err(|why| CityError::Scene { region, why: Arc::new(why) })?;
+    let asset = vc_people::add_to(&mut library, looks)
+        .map_err(|why| CityError::Scene { region: label(), why: Arc::new(why) })?;
     scene.assets(Arc::new(library));
     scene.number_from(id.0);
     let draft =
@@ -136,5 +143,5 @@ fn newcomer(id: NodeId, looks: usize, region: RegionId) -> Result<Departure, Cit
     let scene = scene.build();
     let mut world = PhysicsWorld::build(&scene, &ShapeCache::new(), vc_physics::Settings::default());
     let world = world.as_mut().map_err(|why| CityError::Bodies(why.clone().into()))?;
-    Ok(Departure::of(&scene, world, region)?)
+    Departure::of(&scene, world, region).map_err(|why| CityError::of_travel(space, why))
 }

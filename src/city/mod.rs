@@ -4,11 +4,17 @@
 //! another, [`lift`] how cabins move, [`time`] how all of it goes on, [`save`] cities as bytes.
 
 mod error;
+mod goal;
 mod journey;
 mod lift;
 mod make;
+mod observation;
+mod peek;
+#[cfg(feature = "render")]
+mod picture;
 mod residency;
 mod save;
+mod sight;
 mod source;
 mod time;
 
@@ -18,15 +24,19 @@ use std::sync::Arc;
 use vc_graph::clock::{Span, Tick};
 use vc_graph::hash::Digester;
 use vc_graph::space::{Portal, PortalId, PortalState, RegionFrame, RegionId, Space};
-use vc_graph::{Action, Digest, Label, NodeId, Observation};
+use vc_graph::{Action, Digest, Label, NodeId};
 
 use crate::{Environment, EnvironmentBuilder};
 
-pub use error::CityError;
+pub use error::{CityError, RegionLabel};
+pub use goal::GoalScope;
 use journey::Journey;
 pub use lift::LiftState;
 use lift::Lifts;
 pub use make::CityBuilder;
+pub use observation::{Beyond, CityObservation};
+#[cfg(feature = "render")]
+pub use picture::CityView;
 pub use save::CitySaveError;
 pub use source::RegionScenes;
 pub use time::CityEnding;
@@ -63,11 +73,15 @@ pub struct City {
     /// Where agents are, and things that are not where they were made.
     whereabouts: BTreeMap<NodeId, RegionId>,
     agents: Vec<NodeId>,
+    /// Where they began.
+    homes: BTreeMap<NodeId, RegionId>,
     journeys: BTreeMap<NodeId, Journey>,
     /// The portals that agents take, if not all.
     ways: BTreeMap<NodeId, Ways>,
     lifts: Lifts,
     endings: Vec<time::CityEnding>,
+    /// No part of the state: regions for whoever looks.
+    glances: Arc<peek::Glances>,
 }
 
 /// Which portals somebody takes.
@@ -109,27 +123,30 @@ impl City {
         self.environment(self.region_of(agent)?)
     }
 
-    /// The part of its region's scene that an agent sees within a radius, metres: [`Environment::observation`]. Changes
-    /// nothing.
-    ///
-    /// # Errors
-    /// [`CityError::NoSuchAgent`].
-    pub fn observation(&self, agent: NodeId, radius: f32) -> Result<Observation, CityError> {
-        Ok(self.environment_with(agent)?.observation(agent, radius))
-    }
-
     /// Class and number of a node, for messages; the class is `?` where its region is not there.
     pub fn label(&self, id: NodeId) -> Label {
         let node = self.region_of(id).and_then(|region| self.environment(region)?.graph().node(id));
         node.map_or_else(|| Label { class: "?".into(), id }, vc_graph::Node::label)
     }
 
-    /// The action that an agent is doing or is about to begin: a walk to another region as it was given.
+    /// A region as messages name it: by its path.
+    pub fn region_label(&self, region: RegionId) -> RegionLabel {
+        RegionLabel::new(self.space(), region)
+    }
+
+    /// The action that an agent is doing or is about to begin: a walk to another region as it was given. One that was
+    /// [sent](Self::send) to a region has none, and [is busy](Self::is_busy).
     pub fn current_action(&self, agent: NodeId) -> Option<&Action> {
         match self.journeys.get(&agent) {
             Some(journey) => journey.action.as_ref(),
             None => self.environment_of(agent)?.current_action(agent),
         }
+    }
+
+    /// Whether an agent has something to do: an action, or a way to another region.
+    pub fn is_busy(&self, agent: NodeId) -> bool {
+        let acts = || self.environment_of(agent).is_some_and(|there| there.current_action(agent).is_some());
+        self.journeys.contains_key(&agent) || acts()
     }
 
     /// Where a region is now, in the world: the cabin of a lift moves.

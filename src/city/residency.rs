@@ -4,7 +4,7 @@ use vc_graph::clock::Span;
 use vc_graph::space::{RegionId, SpaceError};
 use vc_graph::{Node, NodeId, State};
 
-use super::{City, CityError};
+use super::{City, CityError, RegionLabel};
 use crate::Environment;
 
 impl City {
@@ -13,25 +13,28 @@ impl City {
         if !self.active.contains_key(&region) {
             let mut environment = match self.asleep.remove(&region) {
                 Some(environment) => environment,
-                None => self.made(region)?,
+                None => self.first(region)?,
             };
             // Time has passed there as well; nobody could tell the difference.
             environment.step(Span(self.tick.0.saturating_sub(environment.tick().0)));
             self.active.insert(region, environment);
             self.move_lift_doors(region);
         }
-        self.active.get_mut(&region).ok_or(CityError::NoScene(region))
+        let space = self.source.space();
+        self.active.get_mut(&region).ok_or_else(|| CityError::NoScene(RegionLabel::new(space, region)))
     }
 
     /// The environment of a region as it is before anybody has been there.
     pub(super) fn made(&self, region: RegionId) -> Result<Environment, CityError> {
-        let plan = self.space().region(region).filter(|plan| plan.has_scene()).ok_or(CityError::NoScene(region))?;
-        let scene = self.source.scene(region).map_err(|why| CityError::Scene { region, why: why.into() })?;
+        let plan = self.space().region(region).filter(|plan| plan.has_scene());
+        let label = || self.region_label(region);
+        let plan = plan.ok_or_else(|| CityError::NoScene(label()))?;
+        let scene = self.source.scene(region).map_err(|why| CityError::Scene { region: label(), why: why.into() })?;
         if let Some(node) = scene.nodes().find(|node| !plan.numbers.has(node.id())) {
             return Err(SpaceError::ForeignNumber { region, node: Node::label(node) }.into());
         }
         let made = self.settings.clone().scene(scene).unpeopled().make();
-        made.map_err(|why| CityError::Make { region, why: why.into() })
+        made.map_err(|why| CityError::Make { region: label(), why: why.into() })
     }
 
     /// Lets regions go in which nobody is and nothing moves.
@@ -65,7 +68,12 @@ impl City {
     /// Whether the leaf of a door or window is open.
     pub(super) fn is_open(&self, leaf: NodeId) -> bool {
         let environment = |region: &RegionId| self.active.get(region).or_else(|| self.asleep.get(region));
-        let node = self.region_of(leaf).as_ref().and_then(environment).and_then(|home| home.graph().node(leaf));
-        node.is_some_and(|node| node.is(State::Open))
+        let Some(region) = self.region_of(leaf) else { return false };
+        let is_open = |home: &Environment| home.graph().node(leaf).is_some_and(|node| node.is(State::Open));
+        match environment(&region) {
+            Some(home) => is_open(home),
+            // As it is made.
+            None => self.first(region).is_ok_and(|home| is_open(&home)),
+        }
     }
 }

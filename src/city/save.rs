@@ -11,7 +11,7 @@ use vc_graph::{NodeId, ObjectNames};
 
 use super::journey::Journey;
 use super::lift::{Lift, Lifts};
-use super::{City, CityError};
+use super::{City, CityError, RegionLabel};
 use crate::Environment;
 use crate::environment::SaveError;
 use crate::parts::{self, Magic, PartsFault};
@@ -27,6 +27,9 @@ struct SavedCity {
     plan: u64,
     tick: Tick,
     agents: Vec<NodeId>,
+    /// Where agents began; missing in saves from before this was known.
+    #[serde(default)]
+    homes: BTreeMap<NodeId, RegionId>,
     whereabouts: BTreeMap<NodeId, RegionId>,
     journeys: BTreeMap<NodeId, Journey>,
     /// The changes of each journey so far, as text: it takes classes to read them.
@@ -54,14 +57,22 @@ pub enum CitySaveError {
     /// The city was made of another plan.
     #[error("the city was saved with another plan of regions: make this one of the same name or source")]
     OtherPlan,
+    /// The city has another number of agents.
+    #[error("the city was saved with {saved} agents, and this one has {here}: make it with as many")]
+    OtherAgents {
+        /// The number of those that were saved.
+        saved: usize,
+        /// The number of those of the city that was to restore it.
+        here: usize,
+    },
     /// The scene of a region is another one than when the city was saved.
     #[error("{0} is made otherwise than when the city was saved: its generator or the settings have changed")]
-    OtherRegion(RegionId),
+    OtherRegion(RegionLabel),
     /// A region cannot be saved or restored.
     #[error("{region}: {why}")]
     Region {
         /// The region.
-        region: RegionId,
+        region: RegionLabel,
         /// The reason.
         #[source]
         why: Arc<SaveError>,
@@ -118,7 +129,9 @@ impl City {
         let asleep = self.asleep.iter().map(|(region, environment)| (*region, environment, false));
         let all: Vec<(RegionId, &Environment, bool)> = active.chain(asleep).collect();
         let save = |(region, environment, _): &(RegionId, &Environment, bool)| {
-            environment.save().map_err(|why| CitySaveError::Region { region: *region, why: Arc::new(why) })
+            environment
+                .save()
+                .map_err(|why| CitySaveError::Region { region: self.region_label(*region), why: Arc::new(why) })
         };
         let regions = all.iter().map(save).collect::<Result<Vec<_>, _>>()?;
         let changes =
@@ -128,6 +141,7 @@ impl City {
             plan: self.space().digest().0,
             tick: self.tick,
             agents: self.agents.clone(),
+            homes: self.homes.clone(),
             whereabouts: self.whereabouts.clone(),
             changes: changes.collect::<Result<_, serde_json::Error>>()?,
             called: called.collect(),
@@ -153,6 +167,9 @@ impl City {
         if saved.plan != self.space().digest().0 {
             return Err(CitySaveError::OtherPlan);
         }
+        if saved.agents.len() != self.agents.len() {
+            return Err(CitySaveError::OtherAgents { saved: saved.agents.len(), here: self.agents.len() });
+        }
         if saved.regions.len() != regions.len() {
             return Err(CitySaveError::NotSaved);
         }
@@ -170,8 +187,9 @@ impl City {
             let at = saved.whereabouts.get(agent).and_then(|region| Some((*region, active.get(region)?)));
             let (region, environment): (RegionId, &Environment) = at.ok_or(CitySaveError::NotSaved)?;
             let changes = saved.changes.get(agent).map_or("[]", String::as_str);
-            let changes = native::read_changes(changes, environment.graph().classes())
-                .map_err(|why| CitySaveError::Region { region, why: Arc::new(why.into()) })?;
+            let changes = native::read_changes(changes, environment.graph().classes()).map_err(|why| {
+                CitySaveError::Region { region: self.region_label(region), why: Arc::new(why.into()) }
+            })?;
             journey.take_up(saved.called.get(agent).copied(), changes);
         }
         let lifts = Lifts::restored(saved.lifts, self.space()).ok_or(CitySaveError::NotSaved)?;
@@ -181,6 +199,7 @@ impl City {
             asleep,
             whereabouts: saved.whereabouts,
             agents: saved.agents,
+            homes: if saved.homes.is_empty() { self.homes.clone() } else { saved.homes },
             journeys: saved.journeys,
             lifts,
             endings: Vec::new(),
@@ -191,8 +210,8 @@ impl City {
     fn restored_region(&self, region: RegionId, bytes: &[u8]) -> Result<Environment, CitySaveError> {
         let made = self.made(region).map_err(Box::new)?;
         made.restore(bytes).map_err(|why| match why {
-            SaveError::OtherStart { .. } => CitySaveError::OtherRegion(region),
-            why => CitySaveError::Region { region, why: Arc::new(why) },
+            SaveError::OtherStart { .. } => CitySaveError::OtherRegion(self.region_label(region)),
+            why => CitySaveError::Region { region: self.region_label(region), why: Arc::new(why) },
         })
     }
 }

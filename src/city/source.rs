@@ -81,7 +81,8 @@ impl RegionScenes for Home {
 pub(super) fn named(name: &str) -> Result<Arc<dyn RegionScenes>, CityError> {
     let unknown = || CityError::Name(name.to_owned());
     let (kind, seed) = name.split_once('/').ok_or_else(unknown)?;
-    let seed = Seed(seed.parse().map_err(|_| unknown())?);
+    let is_number = seed.bytes().all(|byte| byte.is_ascii_digit());
+    let seed = Seed(seed.parse().ok().filter(|_| is_number).ok_or_else(unknown)?);
     match kind {
         "building" => Ok(Arc::new(Building::from_seed(seed).map_err(|why| CityError::Generation(Arc::new(why)))?)),
         "apartment" => Ok(Arc::new(Home { seed, space: Space::single(Region::new(RegionKind::Unit, name))?.into() })),

@@ -1,11 +1,14 @@
 //! Time: all regions that are there go on together.
 
+use std::collections::{BTreeMap, BTreeSet};
+
+use nalgebra::{Point3, distance};
 use vc_graph::clock::{Span, Tick};
 use vc_graph::space::RegionId;
-use vc_graph::{Action, ChangeSet, NodeId, Verb, rule};
+use vc_graph::{Action, ChangeSet, Node, NodeId, ObjectRole, SceneGraph, State, Verb, rule};
 
 use super::{City, CityError};
-use crate::{ActionError, Ending, Interruption};
+use crate::{ActionError, Ending, Environment, Interruption};
 
 /// An action in a city that has ended, as [`City::step`] reports it.
 #[derive(Debug, Clone)]
@@ -37,6 +40,8 @@ fn opens_or_shuts(verb: Verb) -> bool {
     matches!(verb, Verb::Open | Verb::Close)
 }
 
+/// How near to a threshold the doors of a cabin stand, metres.
+const AT_THRESHOLD: f32 = 0.3;
 /// An action that takes longer is given up: an hour.
 const LONGEST: Span = Span(3600 * 60);
 
@@ -150,6 +155,30 @@ impl City {
         std::mem::take(&mut self.endings)
     }
 
+    /// Lets time pass until no agent has anything to do any more, at most a span; returns the actions that have ended.
+    ///
+    /// ```
+    /// use virtualcity::City;
+    /// use virtualcity::graph::clock::Span;
+    /// let mut city = City::make("building/7", 1)?;
+    /// let me = city.agents().next().ok_or("nobody")?;
+    /// let yard = city.space().regions().find(|(_, region)| &*region.name == "yard").ok_or("no yard")?.0;
+    /// city.send(me, yard)?;
+    /// assert!(city.is_busy(me));
+    /// assert_eq!(city.step_until_idle(Span::from_seconds(300.0)).len(), 1);
+    /// assert_eq!((city.region_of(me), city.is_busy(me)), (Some(yard), false));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn step_until_idle(&mut self, most: Span) -> Vec<CityEnding> {
+        let end = self.tick + most;
+        while let Some(agent) = self.agents.iter().copied().find(|agent| self.is_busy(*agent))
+            && self.tick < end
+        {
+            self.advance(end, Some((agent, self.endings.len())));
+        }
+        self.step(Span(0))
+    }
+
     /// Lets time pass until a tick at most, or until something has to be looked at: a step of a journey, or the end of what
     /// an agent does, if its ending is the first after some that are known.
     fn advance(&mut self, end: Tick, whom: Option<(NodeId, usize)>) {
@@ -210,9 +239,8 @@ impl City {
 
     /// Whether a node is a door that a lift moves.
     fn is_of_lift(&self, door: NodeId) -> bool {
-        let portals = self.region_of(door).into_iter().flat_map(|region| self.space().portals_of(region));
-        let mut leads = portals.filter_map(|portal| self.space().portal(portal)).filter(|plan| plan.leaf == Some(door));
-        leads.any(|plan| self.lifts.at(plan).is_some())
+        let there = self.region_of(door).and_then(|region| Some((region, self.active.get(&region)?)));
+        there.is_some_and(|(region, environment)| self.lift_doors(region, environment.graph()).contains_key(&door))
     }
 
     fn lifts_pass(&mut self) {
@@ -224,17 +252,46 @@ impl City {
 
     /// Opens and shuts the doors of a lift, or of all lifts at a region, where they are there to be seen.
     pub(super) fn move_lift_doors(&mut self, region: RegionId) {
-        let space = self.space().clone();
-        for plan in space.portals_of(region).filter_map(|portal| space.portal(portal)) {
-            let Some((leaf, (_, lift))) = plan.leaf.zip(self.lifts.at(plan)) else { continue };
-            let open = lift.is_open_at(plan.stop);
-            let there = self.region_of(leaf).filter(|region| self.active.contains_key(region));
-            if let Some(environment) =
-                there.filter(|_| self.is_open(leaf) != open).and_then(|at| self.active.get_mut(&at))
-            {
-                // A door that jams stays as it is, and people pass it all the same.
-                drop(environment.set_leaf(leaf, open));
+        let portals = self.space().portals_of(region).filter_map(|portal| self.space().portal(portal));
+        let beyond = portals.filter_map(|plan| Some(plan.across(region)?.region));
+        let regions: BTreeSet<RegionId> = beyond.chain([region]).collect();
+        for at in regions {
+            let Some(environment) = self.active.get(&at) else { continue };
+            let doors = self.lift_doors(at, environment.graph());
+            if let Some(environment) = self.active.get_mut(&at) {
+                set_lift_doors(environment, &doors);
             }
+        }
+    }
+
+    /// The doors of lifts in a region, and whether they are to be open: those of portals, and those of a cabin at its
+    /// thresholds.
+    pub(super) fn lift_doors(&self, region: RegionId, graph: &SceneGraph) -> BTreeMap<NodeId, bool> {
+        let mut doors = BTreeMap::new();
+        for plan in self.space().portals_of(region).filter_map(|portal| self.space().portal(portal)) {
+            let Some((cabin, lift)) = self.lifts.at(plan) else { continue };
+            let own = plan.side(region).filter(|_| cabin == region);
+            let own = own.into_iter().flat_map(|side| doors_at(graph, side.pose.translation.vector.into()));
+            for door in own.chain(plan.leaf.filter(|leaf| graph.node(*leaf).is_some())) {
+                *doors.entry(door).or_default() |= lift.is_open_at(plan.stop);
+            }
+        }
+        doors
+    }
+}
+
+/// The doors of a scene that stand at a threshold.
+fn doors_at(graph: &SceneGraph, threshold: Point3<f32>) -> Vec<NodeId> {
+    let stands = |node: &&Node| node.position().is_some_and(|at| distance(&at, &threshold) < AT_THRESHOLD);
+    graph.of_role(ObjectRole::Door).filter(stands).map(Node::id).collect()
+}
+
+/// Opens and shuts doors that are not as they are to be. One that jams stays as it is, and people pass it all the same.
+pub(super) fn set_lift_doors(environment: &mut Environment, doors: &BTreeMap<NodeId, bool>) {
+    let is_open = |environment: &Environment, door| environment.graph().node(door).is_some_and(|n| n.is(State::Open));
+    for (door, open) in doors {
+        if is_open(environment, *door) != *open {
+            drop(environment.set_leaf(*door, *open));
         }
     }
 }

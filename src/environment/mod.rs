@@ -55,11 +55,11 @@ pub use error::{ActionError, MakeError, NoRoom, PhysicalRefusal, ResetError, Sav
 #[cfg(feature = "render")]
 pub(crate) use export::position;
 #[cfg(feature = "render")]
+pub(crate) use pictures::{Beside, Extent, GLANCE, JoinedHomes, sight_of};
+#[cfg(feature = "render")]
 pub use pictures::{
     CameraError, CameraId, JsonFault, Lens, Mount, NamedCamera, PictureError, PictureOptions, Viewpoint,
 };
-#[cfg(feature = "render")]
-pub(crate) use pictures::{GLANCE, sight_of};
 #[cfg(feature = "render")]
 pub(crate) use pictures::{Named, Register};
 pub use reset::{Displaced, ResetReport, Unplaced, UnplacedReason};

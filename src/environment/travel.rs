@@ -76,14 +76,15 @@ impl Environment {
     }
 
     /// Lets an agent enter at a pose of its feet, in the frame of this region; the poses of what it carries are taken over by
-    /// `shift`. Returns the free floor nearest to a point where it is going, and the changes of the graph.
+    /// `shift`. Returns the free floor nearest to a point where it is going, apart from the spots that others are going to,
+    /// and the changes of the graph.
     pub(crate) fn arrive(
         &mut self,
         who: &Departure,
         (region, room): (RegionId, NodeId),
         shift: &Pose,
         feet: Pose,
-        towards: Point2<f32>,
+        (towards, taken): (Point2<f32>, &[Point2<f32>]),
     ) -> Result<(Point2<f32>, ChangeSet), TravelError> {
         let before = self.graph.clone();
         self.clock.about_to_change(&self.graph);
@@ -94,7 +95,7 @@ impl Environment {
         let arrived = self.world.arrive(&body, feet).map_err(PhysicalRefusal::from);
         let spot = arrived.map_err(TravelError::from).and_then(|()| {
             self.floor.update(&self.world);
-            self.spot_near(agent, towards).ok_or(TravelError::NoFloor { region, within: BEYOND })
+            self.spot_near(agent, towards, taken).ok_or(TravelError::NoFloor { region, within: BEYOND })
         });
         let spot = match spot {
             Ok(spot) => spot,
@@ -110,15 +111,15 @@ impl Environment {
         Ok((spot, changes))
     }
 
-    /// The free floor nearest to a point, at most 1.5 m away.
-    pub(crate) fn spot_near(&self, agent: NodeId, at: Point2<f32>) -> Option<Point2<f32>> {
+    /// The free floor nearest to a point, at most 1.5 m away, and apart from spots that are taken.
+    pub(crate) fn spot_near(&self, agent: NodeId, at: Point2<f32>, taken: &[Point2<f32>]) -> Option<Point2<f32>> {
         let others: Vec<Point2<f32>> = self
             .agents()
             .iter()
             .filter(|other| **other != agent)
             .filter_map(|other| Some(self.world.pose(*other)?.translation.vector.xy().into()))
             .collect();
-        let is_apart = |spot: &Point2<f32>| others.iter().all(|other| (spot - other).norm() > APART);
+        let is_apart = |spot: &Point2<f32>| others.iter().chain(taken).all(|other| (spot - other).norm() > APART);
         let near = self.free_near_where(agent, &at, is_apart).map(Point2::from);
         near.filter(|spot| (spot - at).norm() <= BEYOND)
     }

@@ -34,6 +34,55 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
+//! # Seen through doors
+//!
+//! Pictures and observations reach through open doors and other portals, also into regions where nobody is; looking changes
+//! nothing. Ids of pictures are node numbers, of which each region has its own: [`City::region_of`](crate::City::region_of) says
+//! the region of one, [`City::peek`](crate::City::peek) has the node.
+//!
+//! ```
+//! use virtualcity::graph::{Action, Seed, Verb};
+//! use virtualcity::procgen::Building;
+//! use virtualcity::render::Modality;
+//! use virtualcity::{City, Viewpoint};
+//!
+//! let building = Building::from_seed(Seed(7))?;
+//! let (gallery, front_door) = (building.storeys()[0].gallery, building.storeys()[0].front_doors[0]);
+//! let mut city = City::of(building).make()?;
+//! let me = city.agents().next().ok_or("nobody")?;
+//! let door = city.space().portal(front_door).and_then(|portal| portal.leaf).ok_or("no door")?;
+//! city.set_action(me, Action::walk(door))?;
+//! assert!(city.room_observation(me)?.beyond().is_empty());
+//! city.set_action(me, Action::one(Verb::Open, door))?;
+//!
+//! // Through the open door: in the picture, and in what is observed.
+//! let frame = city.render(Viewpoint::Agent(me), Modality::Instance, 160, 120)?;
+//! let outside = frame.instance.iter().find(|id| city.region_of(**id) == Some(gallery)).ok_or("a wall")?;
+//! println!("{} in {}", city.peek(gallery)?.graph().label(*outside), city.space().path(gallery));
+//! let seen = city.room_observation(me)?;
+//! assert!(seen.references().any(|(region, _)| region == gallery));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # Goals beyond the home
+//!
+//! A goal has a [scope](crate::GoalScope): unless it is said otherwise the agent's home, with what the agent carries wherever it
+//! is; a place with all that is part of it; or the world, as far as somebody has changed it.
+//!
+//! ```
+//! use virtualcity::graph::Goal;
+//! use virtualcity::graph::space::RegionKind;
+//! use virtualcity::{City, GoalScope};
+//!
+//! let mut city = City::make("building/7", 1)?;
+//! let me = city.agents().next().ok_or("nobody")?;
+//! let storey = city.space().regions().find(|(_, region)| region.kind == RegionKind::Storey).ok_or("no storey")?.0;
+//! let goal: Goal = "Closed(fridge), 2".parse()?;
+//! assert!(!city.holds(&goal, me, GoalScope::Home)?, "it has one");
+//! assert!(city.holds(&goal, me, GoalScope::Place(storey))?, "the storey has two homes");
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
 //! # A city that is saved
 //!
 //! A city is saved at any tick, also while somebody is on the stairs; it is restored by one that was made in the same way, in

@@ -8,7 +8,7 @@
 //! | [`search`] | [a search that tries actions on copies](search#a-search-that-tries-actions-on-copies) · [states of a search](search#states-of-a-search) |
 //! | [`policies`] | [a policy of your own](policies#a-policy-of-your-own) · [rewards, action by action](policies#rewards-action-by-action) · [a team](policies#a-team) · [a language model](policies#a-language-model) · [tasks that are certainly feasible](policies#tasks-that-are-certainly-feasible) |
 //! | [`pictures`] | [pictures as data](pictures#pictures-as-data) · [cameras and sensors of your own](pictures#cameras-and-sensors-of-your-own) · [a data set of several homes](pictures#a-data-set-of-several-homes) |
-//! | [`buildings`] | [a walk to the neighbours](buildings#a-walk-to-the-neighbours) · [a city that is saved](buildings#a-city-that-is-saved) |
+//! | [`buildings`] | [a walk to the neighbours](buildings#a-walk-to-the-neighbours) · [seen through doors](buildings#seen-through-doors) · [goals beyond the home](buildings#goals-beyond-the-home) · [a city that is saved](buildings#a-city-that-is-saved) |
 //! | [`streets`] | [streets of a real place](streets#streets-of-a-real-place) |
 
 pub mod acting;

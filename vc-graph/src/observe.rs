@@ -82,6 +82,32 @@ impl SceneGraph {
         Observation { agent, scope, room, nodes }
     }
 
+    /// The part of a room that somebody sees from elsewhere, such as through the open door of another scene: the room and
+    /// those of its nodes for which `sees` holds, without what is inside closed containers. Costs a check of each node in the
+    /// room.
+    ///
+    /// ```
+    /// use vc_graph::{Draft, NodeId, SceneBuilder};
+    /// let mut scene = SceneBuilder::new("flat");
+    /// let kitchen = scene.add(Draft::new("kitchen"))?;
+    /// let fridge = scene.add_in(kitchen, Draft::new("fridge"))?;
+    /// let milk = scene.add_in(fridge, Draft::new("milk"))?;
+    /// let table = scene.add_in(kitchen, Draft::new("table"))?;
+    /// let graph = scene.build();
+    /// let seen = graph.glimpse(NodeId(900), kitchen, |node| node.id() != table);
+    /// assert_eq!(seen.ids().collect::<Vec<_>>(), [kitchen, fridge]);
+    /// # Ok::<(), vc_graph::EditError>(())
+    /// ```
+    pub fn glimpse(&self, agent: NodeId, room: NodeId, sees: impl Fn(&Node) -> bool) -> Observation {
+        let is_seen = |id: &NodeId| self.node(*id).is_some_and(&sees) && self.open_to_view(*id);
+        let mut seen: Vec<NodeId> = self.in_room(room).filter(is_seen).collect();
+        seen.extend(self.rooms().contains(&room).then_some(room));
+        seen.sort_unstable();
+        seen.dedup();
+        let nodes = seen.into_iter().filter_map(|id| self.nodes.get(id)).cloned().collect();
+        Observation { agent, scope: Scope::Room, room: Some(room), nodes }
+    }
+
     fn open_to_view(&self, id: NodeId) -> bool {
         self.hidden_in(id).is_none()
     }
@@ -103,7 +129,7 @@ impl Observation {
         self.scope
     }
 
-    /// The room that the agent is in.
+    /// The room that the agent is in; of a [glimpse](SceneGraph::glimpse) the one that it sees into.
     pub fn room(&self) -> Option<NodeId> {
         self.room
     }

@@ -91,6 +91,9 @@ pub enum RenderError<N = NodeId> {
         MOST_SURFACES
     )]
     TooManySurfaces,
+    /// Scenes with different classes were to be joined.
+    #[error("the scenes to be joined have different class tables: make both with one")]
+    OtherClasses,
     /// The length of an array does not match its shape.
     #[error("{numbers} numbers do not make an array of shape {shape:?}")]
     BadShape {
@@ -132,6 +135,7 @@ impl<N> RenderError<N> {
             E::FrameCount { shots, frames } => E::FrameCount { shots, frames },
             E::TooManyClasses { classes } => E::TooManyClasses { classes },
             E::TooManySurfaces => E::TooManySurfaces,
+            E::OtherClasses => E::OtherClasses,
             E::BadShape { numbers, shape } => E::BadShape { numbers, shape },
             E::Encoding(why) => E::Encoding(why),
         }

@@ -102,7 +102,7 @@ impl Environment {
     }
 
     /// Whether a view is from above rooms whose ceilings are taken off.
-    pub(super) fn is_plan(&self, view: Viewpoint) -> bool {
+    pub(crate) fn is_plan(&self, view: Viewpoint) -> bool {
         self.mount_of(view).is_ok_and(|(mount, _)| mount.is_plan())
     }
 
@@ -147,7 +147,7 @@ impl Environment {
         let mut frame = Frame::new();
         let mut scores = Vec::new();
         for small in self.places(room, Camera::with_fov(LOOK.0, LOOK.1, FIELD))? {
-            base.renderer.render(&Shot::new(&base.snapshot, &small, Modality::Instance), &mut frame)?;
+            base.renderer.render(&Shot::new(&base.stage.snapshot, &small, Modality::Instance), &mut frame)?;
             scores.push(self.shown(room, &frame) - WEIGHTS[0] * self.blocked(&small));
         }
         let best = first_best(&scores);

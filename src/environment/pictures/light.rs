@@ -6,13 +6,13 @@ use vc_graph::asset::{Joint, Part};
 use vc_graph::{Label, Node, NodeId, Pose, SceneGraph, State};
 use vc_render::{Daylight, Lighting, RenderError, Snapshot};
 
-use super::Base;
+use super::{Base, Stage};
 use crate::Environment;
 
 /// How far open what lets light in counts as open, 0 to 1.
 const AJAR: f32 = 0.25;
 /// How many lights are kept.
-const LIGHTS: usize = 8;
+pub(super) const LIGHTS: usize = 8;
 
 /// How far a lamp has to be moved to count as moved, metres.
 const ASIDE: f32 = 0.05;
@@ -36,7 +36,7 @@ impl Environment {
     /// same shadows as `light`, the result does not depend on earlier pictures.
     pub(super) fn lighting(&self, daylight: &Daylight, now: &Snapshot) -> Result<Lighting, RenderError<Label>> {
         let base = self.base()?;
-        let lit = self.lit(base, daylight);
+        let lit = self.lit(&base.stage, daylight);
         let known = self.lights().iter().find(|(known, _)| *known == lit).map(|(_, lighting)| lighting.clone());
         let mut lighting = known.map_or_else(|| base.made(&lit), Ok)?;
         base.renderer.follow(&mut lighting, now)?;
@@ -53,33 +53,35 @@ impl Environment {
         self.picture_cache().light.lock().unwrap_or_else(std::sync::PoisonError::into_inner)
     }
 
-    fn lit(&self, base: &Base, daylight: &Daylight) -> Lit {
+    pub(super) fn lit(&self, stage: &Stage, daylight: &Daylight) -> Lit {
         let stands_open = |id: &NodeId| self.world().parts(*id).openness().is_some_and(|open| open >= AJAR);
-        let open = base.openings.iter().copied().filter(stands_open).collect();
+        let open = stage.openings.iter().copied().filter(stands_open).collect();
         let closed = |id: &NodeId| self.graph().node(*id).is_some_and(|n| n.is(State::Closed));
-        let drawn = base.covers.iter().copied().filter(closed).collect();
-        let on = lit(self.graph());
+        let drawn = stage.covers.iter().copied().filter(closed).collect();
+        let on = stage.lit_now(self.graph());
         let elsewhere = |id: &NodeId| {
-            let was = base.poses.binary_search_by_key(id, |(id, _)| *id).ok().map(|at| base.poses[at].1)?;
+            let was = stage.poses.binary_search_by_key(id, |(id, _)| *id).ok().map(|at| stage.poses[at].1)?;
             let now = *self.graph().node(*id)?.pose()?;
             let off = (now.translation.vector - was.translation.vector).norm();
             (off > ASIDE).then(|| (*id, now, self.room_of_place(*id, &now)))
         };
-        let moved = on.iter().filter(|id| base.lamps.contains(id)).filter_map(elsewhere).collect();
+        let moved = on.iter().filter(|id| stage.lamps.contains(id)).filter_map(elsewhere).collect();
         Lit { daylight: *daylight, on, moved, open, drawn }
     }
 }
 
 impl Base {
     fn made(&self, lit: &Lit) -> Result<Lighting, RenderError> {
-        let mut lighting = self.renderer.light(&self.as_lit(lit)?, &lit.daylight);
+        let mut lighting = self.renderer.light(&self.stage.as_lit(lit)?, &lit.daylight);
         // Whatever may move counts as moved from now on, so that it does not matter what moved when.
-        lighting.follow(&self.stirred(lit)?)?;
+        lighting.follow(&self.stage.stirred(lit)?)?;
         Ok(lighting)
     }
+}
 
+impl Stage {
     /// The home as it begins, with this light: what moves is where it stood, and either shut or open.
-    fn as_lit(&self, lit: &Lit) -> Result<Snapshot, RenderError> {
+    pub(super) fn as_lit(&self, lit: &Lit) -> Result<Snapshot, RenderError> {
         let mut snapshot = self.snapshot.clone();
         for &id in &self.jointed {
             let end = usize::from(lit.open.contains(&id));
@@ -95,7 +97,7 @@ impl Base {
     }
 
     /// The same with everything that may move a little elsewhere.
-    fn stirred(&self, lit: &Lit) -> Result<Snapshot, RenderError> {
+    pub(super) fn stirred(&self, lit: &Lit) -> Result<Snapshot, RenderError> {
         let mut snapshot = self.as_lit(lit)?;
         for &id in &self.jointed {
             let other = usize::from(!lit.open.contains(&id));

@@ -2,6 +2,7 @@
 
 mod camera;
 mod cameras;
+mod joined;
 mod json_fault;
 mod lens;
 mod light;
@@ -9,28 +10,28 @@ mod mount;
 mod options;
 mod rays;
 mod register;
+mod stage;
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use std::sync::{Mutex, OnceLock};
 
-use vc_graph::asset::Joint;
-use vc_graph::{Label, Node, NodeId, NodeKind, ObjectRole, Pose, Property, Relation, State};
-use vc_people::{Bone, clothes};
-use vc_physics::BodyRole;
-use vc_render::{Coat, Frame, Lighting, Modalities, Modality, RayCaster, RenderError, Renderer, Shot, Snapshot};
+use vc_graph::{Label, NodeId, Pose};
+use vc_render::{Frame, Lighting, Modalities, Modality, RayCaster, RenderError, Renderer, Shot, Snapshot};
 
 pub use self::camera::Viewpoint;
 pub(crate) use self::camera::{GLANCE, sight_of};
 pub(in crate::environment) use self::cameras::Cameras;
 pub use self::cameras::{CameraError, CameraId, NamedCamera, PictureError};
+pub(crate) use self::joined::{Beside, JoinedHomes};
 pub use self::json_fault::JsonFault;
 pub use self::lens::Lens;
-use self::light::{Lit, lit, switch};
+use self::light::Lit;
 pub use self::mount::Mount;
 pub use self::options::PictureOptions;
 pub(crate) use self::register::{Named, Register};
+pub(crate) use self::stage::Extent;
+use self::stage::Stage;
 use crate::Environment;
-use crate::environment::position;
 
 /// By which share of the way rooms seen from above are made as bright as each other.
 const EVEN: f32 = 0.9;
@@ -50,23 +51,7 @@ pub(crate) struct PictureCache {
 #[derive(Debug)]
 struct Base {
     renderer: Renderer,
-    snapshot: Snapshot,
-    poses: Vec<(NodeId, Pose)>,
-    /// The nodes that can be seen.
-    seen: Vec<NodeId>,
-    /// Those of them that are not fixed.
-    loose: BTreeSet<NodeId>,
-    lit: Vec<NodeId>,
-    /// Vessels, and whether something is in them.
-    vessels: Vec<(NodeId, bool)>,
-    /// Nodes with moving parts.
-    jointed: Vec<NodeId>,
-    /// Those of them that let light into rooms.
-    openings: Vec<NodeId>,
-    /// Blinds, curtains and other things that are drawn over windows.
-    covers: Vec<NodeId>,
-    /// The things that can light rooms.
-    lamps: Vec<NodeId>,
+    stage: Stage,
 }
 
 impl Environment {
@@ -206,46 +191,7 @@ impl Environment {
     }
 
     fn as_now(&self) -> Result<Snapshot, RenderError<Label>> {
-        let base = self.base()?;
-        let mut snapshot = base.snapshot.clone();
-        for (id, was) in &base.poses {
-            let now = self.graph().node(*id).and_then(|n| n.pose());
-            if let Some(now) = now.filter(|now| *now != was) {
-                snapshot.place(*id, now)?;
-                snapshot.enter(*id, self.room_of_place(*id, now))?;
-            }
-        }
-        switch(&mut snapshot, &base.lit, &lit(self.graph()))?;
-        for node in &base.seen {
-            // Dirt comes and goes.
-            if let Some(node) = self.graph().node(*node) {
-                snapshot.coat(node.id(), Coat::from_node(node))?;
-            }
-        }
-        for (id, _) in &base.vessels {
-            let contents = self.graph().node(*id).and_then(|n| n.contents());
-            snapshot.fill(*id, contents.map(AsRef::as_ref))?;
-        }
-        for id in &base.covers {
-            snapshot.draw_cover(*id, self.graph().node(*id).is_some_and(|n| n.is(State::Closed)))?;
-        }
-        for id in &base.jointed {
-            snapshot.articulate(*id, |joint| position(self.graph(), self.world(), *id, joint))?;
-        }
-        for &agent in self.agents() {
-            if let Some(skeleton) = self.skeleton(agent) {
-                snapshot.arrange(agent, |joint| Some(skeleton.motion(Bone::from_joint(joint)?)))?;
-            }
-            for worn in self.graph().relating(Relation::WornBy, agent).filter_map(|id| self.graph().node(id)) {
-                let colour = clothes::colour(self.graph().assets(), worn).unwrap_or([0.5; 3]);
-                let coat = Coat { colour, share: 1.0, roughness: 1.0 };
-                let covered = clothes::covered(self.graph().classes(), worn.class());
-                let on = |joint: &Joint| Bone::from_joint(joint).filter(|bone| covered.contains(bone)).map(|_| coat);
-                snapshot.coat_links(agent, on)?;
-                snapshot.hide(worn.id(), true)?;
-            }
-        }
-        Ok(snapshot)
+        Ok(self.base()?.stage.now(self)?)
     }
 
     /// The room around a thing's new place; over no floor, the room that the graph has it in.
@@ -261,23 +207,8 @@ impl Environment {
 
 impl Base {
     fn of(environment: &Environment) -> Result<Self, RenderError> {
-        let (graph, world) = environment.origin();
         let mut renderer = Renderer::new();
-        let snapshot = renderer.snapshot_with(graph, |id, joint| position(graph, world, id, joint))?;
-        let body = |n: &&Node| n.kind() != NodeKind::Room;
-        let poses = graph.nodes().filter(body).filter_map(|n| Some((n.id(), *n.pose()?)));
-        let seen: Vec<NodeId> = snapshot.nodes().collect();
-        let poses = poses.filter(|(id, _)| seen.binary_search(id).is_ok()).collect();
-        let fixed = |id: &NodeId| world.role(*id) == Some(BodyRole::Fixed);
-        let loose = seen.iter().copied().filter(|id| !fixed(id)).collect();
-        let jointed: Vec<NodeId> = world.nodes().into_iter().filter(|id| !world.parts(*id).all().is_empty()).collect();
-        let lets_in =
-            |id: &NodeId| graph.node(*id).is_some_and(|n| matches!(n.role(), ObjectRole::Door | ObjectRole::Window));
-        let openings = jointed.iter().copied().filter(lets_in).collect();
-        let node = |id: &NodeId| graph.node(*id).filter(|n| n.affords(Property::Recipient));
-        let vessels = seen.iter().filter_map(|id| Some((*id, node(id)?.contents().is_some()))).collect();
-        let covers = seen.iter().copied().filter(|id| graph.covers_windows(*id)).collect();
-        let lamps = snapshot.lamps().collect();
-        Ok(Self { lit: lit(graph), renderer, snapshot, poses, seen, loose, vessels, jointed, openings, covers, lamps })
+        let stage = Stage::new(environment, &mut renderer, Extent::Whole)?;
+        Ok(Self { renderer, stage })
     }
 }

@@ -5,7 +5,7 @@ use std::sync::{MutexGuard, PoisonError};
 use vc_graph::{Label, Pose};
 use vc_render::{RayCaster, RenderError};
 
-use super::Base;
+use super::Stage;
 use crate::Environment;
 
 /// By how much things are moved to count as moved, metres.
@@ -43,7 +43,7 @@ impl Environment {
         if let Some(caster) = self.kept_rays().as_ref() {
             return Ok(caster.clone());
         }
-        let caster = self.base()?.rays().map_err(|e| self.named(e))?;
+        let caster = self.base()?.stage.rays().map_err(|e| self.named(e))?;
         *self.kept_rays() = Some(caster.clone());
         Ok(caster)
     }
@@ -54,7 +54,7 @@ impl Environment {
     }
 }
 
-impl Base {
+impl Stage {
     /// A caster for which everything that may move has moved, so that it does not matter what moves when.
     fn rays(&self) -> Result<RayCaster, RenderError> {
         let mut caster = RayCaster::new(&self.snapshot);

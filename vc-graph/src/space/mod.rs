@@ -47,6 +47,7 @@
 
 mod error;
 mod frame;
+mod gather;
 mod graphs;
 mod load;
 mod numbers;
@@ -59,6 +60,7 @@ mod save;
 
 pub use error::{PassError, SpaceError, WorldFileError};
 pub use frame::RegionFrame;
+pub use gather::gather;
 pub use graphs::RegionGraphs;
 pub use load::Load;
 pub use numbers::NumberBlock;

@@ -52,6 +52,13 @@ impl Ambient {
         }
     }
 
+    /// A share of it.
+    pub(super) fn times(&self, share: f32) -> Self {
+        let mut less = Self::default();
+        less.mix(self, share);
+        less
+    }
+
     /// Irradiance on a surface with this normal.
     #[inline(always)]
     pub(crate) fn falls(&self, normal: [f32; 3]) -> [f32; 3] {

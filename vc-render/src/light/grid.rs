@@ -37,8 +37,12 @@ impl Grid {
     }
 
     /// Grids over all rooms, with points as dense as their greatest number allows.
-    pub(super) fn over_all(rooms: &[([f32; 3], [f32; 3])]) -> Vec<Self> {
-        let grids = |apart: f32| -> Vec<Self> { rooms.iter().map(|room| Self::over(*room, apart)).collect() };
+    /// Those that are closed have the fewest.
+    pub(super) fn over_all(rooms: &[([f32; 3], [f32; 3])], is_closed: impl Fn(usize) -> bool) -> Vec<Self> {
+        let apart = |room: usize, apart: f32| if is_closed(room) { f32::MAX } else { apart };
+        let grids = |by: f32| -> Vec<Self> {
+            rooms.iter().enumerate().map(|(number, room)| Self::over(*room, apart(number, by))).collect()
+        };
         let (mut apart, mut all) = (1.0, grids(1.0));
         while all.iter().map(Self::count).sum::<usize>() > MOST.max(8 * rooms.len()) {
             apart *= 1.1;

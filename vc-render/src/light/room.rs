@@ -30,6 +30,8 @@ const MOST: f32 = 0.95;
 const GAPS: f32 = 0.01;
 /// Thickness of a door leaf, metres.
 const LEAF: f32 = 0.05;
+/// The share of the light under the open sky that there is in rooms of which only the outside is drawn.
+const WITHIN: f32 = 0.04;
 /// Number of bounces before the rest is extrapolated.
 const BOUNCES: usize = 7;
 
@@ -65,10 +67,12 @@ pub(super) fn directions() -> Vec<[f32; 3]> {
 /// Also, for each of them, the share of sunlight that panes let through where the sun shines in.
 pub(super) fn grids(store: &Store, lighting: &Lighting) -> (Vec<Grid>, Vec<f32>) {
     let bounds = rooms(&lighting.tracer.snapshot);
-    let mut grids = Grid::over_all(&bounds);
+    let is_closed = |room: usize| lighting.tracer.snapshot.is_closed(room);
+    let mut grids = Grid::over_all(&bounds, is_closed);
     let directions = directions();
     let each = |(g, grid): (usize, &Grid)| (0..grid.points.len()).map(move |i| (g, i)).collect::<Vec<_>>();
-    let places: Vec<(usize, usize)> = grids.iter().enumerate().flat_map(each).collect();
+    let lit = grids.iter().enumerate().filter(|(room, _)| !is_closed(*room));
+    let places: Vec<(usize, usize)> = lit.flat_map(each).collect();
     let within = within(lighting, &grids, &places);
     let cast = |(g, i): &(usize, usize)| cast_rays(store, lighting, *g, grids[*g].place(*i), &directions);
     let cast = |(place, within): (&_, &bool)| within.then(|| cast(place)).flatten();
@@ -91,6 +95,9 @@ pub(super) fn grids(store: &Store, lighting: &Lighting) -> (Vec<Grid>, Vec<f32>)
     // Adds the remaining bounces, which bring much light in white rooms.
     for ((grid, before), [last, added]) in grids.iter_mut().zip(&before).zip(sums) {
         grid.go_on(before, if last > 0.0 { (added / last).clamp(0.0, MOST) } else { 0.0 });
+    }
+    for (_, closed) in grids.iter_mut().enumerate().filter(|(room, _)| is_closed(*room)) {
+        closed.fill(&open(&lighting.daylight, &directions).times(WITHIN));
     }
     // If every body is in a room, the outside is under the open sky.
     if let Some(outside) =

@@ -8,6 +8,8 @@ use crate::scene::{Body, Instance, NO_ROOM, Snapshot, Stands};
 
 /// Distance from the surface of a door or wall to a point that is in the room before it, metres.
 const AHEAD: f32 = 0.3;
+/// Cosine between the normal of a level face and the vertical, at least.
+const LEVEL: f32 = 0.7;
 /// Cosine between a face's normal and a door leaf's below which the face looks along the leaf.
 const ALONG: f32 = 0.3;
 
@@ -36,6 +38,9 @@ impl Lighting {
         match body.stands {
             Stands::Within => body.room,
             Stands::Around => self.room_before(body.room, at, normal),
+            Stands::Outside => {
+                self.room_around(three(|i| at[i] + AHEAD * normal[i])).map_or(NO_ROOM, |room| room as u16)
+            }
             Stands::Between => self.room_beside(instance, (at, at), normal).unwrap_or(body.room),
         }
     }
@@ -67,7 +72,10 @@ impl Lighting {
         if self.rooms.get(usize::from(own)).is_none_or(|(low, high)| holds(low, high, ahead)) {
             return own;
         }
-        let open = || if self.is_open(at, normal) { NO_ROOM } else { own };
+        // Above its ceiling and below its floor is the outside, even if another home stands there.
+        let room = self.rooms.get(usize::from(own)).filter(|_| self.tracer.snapshot.is_joined);
+        let beyond = || room.is_some_and(|(low, high)| is_beyond(low, high, ahead, normal));
+        let open = || if beyond() || self.is_open(at, normal) { NO_ROOM } else { own };
         self.room_around(ahead).map_or_else(open, |room| room as u16)
     }
 
@@ -87,6 +95,11 @@ impl Lighting {
         let rooms = (0..self.rooms.len().saturating_sub(1)).filter(within);
         rooms.min_by(|a, b| self.floor(*a).total_cmp(&self.floor(*b)))
     }
+}
+
+/// Whether a point before a level face is above a box, or below it.
+fn is_beyond(low: &[f32; 3], high: &[f32; 3], at: [f32; 3], normal: [f32; 3]) -> bool {
+    (normal[2] > LEVEL && at[2] > high[2]) || (normal[2] < -LEVEL && at[2] < low[2])
 }
 
 /// Whether a box contains a point.

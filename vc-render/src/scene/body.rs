@@ -23,6 +23,8 @@ pub(crate) enum Stands {
     Around,
     /// It belongs to two rooms, as doors do.
     Between,
+    /// It bounds a room of which only the outside is drawn.
+    Outside,
 }
 
 impl Stands {
@@ -149,6 +151,17 @@ impl Instance {
         // A hidden instance shrinks to an invisible speck: nothing is seen of it, but every holder of the scene
         // keeps the same list of instances.
         self.world = self.speck().map_or(placed, |at| placed.after(&Affine::shrunk(at, SPECK)));
+        self.settle()
+    }
+
+    /// Moves it by a map, wherever it is.
+    pub(super) fn shift(&mut self, by: &Affine) {
+        self.world = by.after(&self.world);
+        self.settle();
+    }
+
+    /// Works out what follows from where it is; false if it is flat in some direction.
+    fn settle(&mut self) -> bool {
         self.ball = self.link.levels[0].bounds.ball(&self.world);
         self.mirrored = self.world.determinant() < 0.0;
         let inverse = self.world.inverse();

@@ -45,6 +45,20 @@ impl Classes {
         Ok(classes)
     }
 
+    /// These and those of another scene with the same class table; none if the tables differ.
+    pub(super) fn with(&self, other: &Self) -> Option<Self> {
+        let (known, mut others, mut numbers) = (self.known.clone(), self.others.clone(), self.numbers.clone());
+        let is_alike = |(number, named): (&u16, &Named)| others.get(number).is_none_or(|own| own.0 == named.0);
+        if self.known != other.known || !other.others.iter().all(is_alike) {
+            return None;
+        }
+        for (number, named) in &other.others {
+            numbers.entry(named.0.clone()).or_insert(*number);
+            others.entry(*number).or_insert_with(|| named.clone());
+        }
+        Some(Self { known, others, numbers })
+    }
+
     fn add(&mut self, named: Named) {
         let number = by_name(&named.0);
         // If a class occurs in two categories, the first one counts.

@@ -5,6 +5,7 @@ mod change;
 mod classes;
 mod cover;
 mod extent;
+mod join;
 mod liquid;
 mod snapshot;
 mod store;

@@ -1,6 +1,6 @@
 //! A scene at one moment.
 
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap};
 use std::sync::Arc;
 
 use vc_graph::asset::Joint;
@@ -50,13 +50,17 @@ use crate::surface::Coat;
 pub struct Snapshot {
     pub(crate) bodies: Vec<Body>,
     pub(crate) instances: Vec<Instance>,
-    classes: Arc<Classes>,
+    pub(super) classes: Arc<Classes>,
     pub(crate) rooms: Arc<Vec<NodeId>>,
     /// Boxes around rooms, where the graph has them.
     pub(crate) bounds: Arc<Vec<Option<Aabb>>>,
-    by_node: Arc<HashMap<NodeId, u32>>,
+    /// Rooms of which only the outside is drawn, by their places in the list of rooms.
+    pub(super) closed: Arc<BTreeSet<usize>>,
+    /// Whether it is of several scenes.
+    pub(crate) is_joined: bool,
+    pub(super) by_node: Arc<HashMap<NodeId, u32>>,
     /// Identity of the store that holds its meshes.
-    store: Arc<()>,
+    pub(super) store: Arc<()>,
 }
 
 impl Snapshot {
@@ -90,6 +94,11 @@ impl Snapshot {
             return Ok(());
         }
         Err(RenderError::OtherScene { what, here: self.instances.len(), there: other.instances.len() })
+    }
+
+    /// Whether only the outside of a room is drawn, by its place in the list of rooms.
+    pub(crate) fn is_closed(&self, room: usize) -> bool {
+        self.closed.contains(&room)
     }
 
     /// Whether all bodies and their parts have the same poses as at another moment of the same scene.
@@ -200,7 +209,8 @@ impl Taken<'_> {
         let by_node = bodies.iter().zip(0..).map(|(b, i)| (b.node, i)).collect();
         let (classes, rooms) = (Arc::new(classes), Arc::new(graph.rooms().to_vec()));
         let bounds = Arc::new(rooms.iter().map(|room| graph.node(*room)?.aabb()).collect());
-        Snapshot { bodies, instances, classes, rooms, bounds, by_node: Arc::new(by_node), store: store.name.clone() }
+        let (closed, is_joined, by_node, store) = (Arc::default(), false, Arc::new(by_node), store.name.clone());
+        Snapshot { bodies, instances, classes, rooms, bounds, closed, is_joined, by_node, store }
     }
 }
 

@@ -1,0 +1,200 @@
+//! What an agent sees of a city: its own region, and the rooms behind open and glazed portals.
+
+use std::ops::Deref;
+
+use nalgebra::{Point3, Vector3};
+use vc_graph::space::{PortalId, PortalSide, RegionId};
+use vc_graph::{Anthropometry, Node, NodeId, Observation, Pose, Scope};
+
+use super::sight::{FAR, PORTALS};
+use super::{City, CityError};
+
+/// An agent's observation in a city: that of its own region, as which it can be used, and what it sees of others.
+///
+/// ```
+/// use virtualcity::City;
+/// let city = City::make("apartment/42", 1)?;
+/// let me = city.agents().next().ok_or("nobody")?;
+/// let seen = city.observation(me, 3.0)?;
+/// // Of a region alone it is what its environment gives.
+/// let home = city.environment_of(me).ok_or("nowhere")?;
+/// assert!(seen.ids().eq(home.observation(me, 3.0).ids()) && seen.beyond().is_empty());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct CityObservation {
+    region: RegionId,
+    own: Observation,
+    beyond: Vec<Beyond>,
+}
+
+/// What an agent sees of another region through portals.
+#[derive(Debug, Clone)]
+#[non_exhaustive]
+pub struct Beyond {
+    /// The region.
+    pub region: RegionId,
+    /// The portals through which it is seen, the nearest first.
+    pub portals: Vec<PortalId>,
+    /// The pose of its frame in that of the agent's region: poses of nodes are in their own region's frame.
+    pub pose: Pose,
+    /// What is seen of the room that one enters there.
+    pub seen: Observation,
+}
+
+impl CityObservation {
+    /// The region of the agent.
+    pub fn region(&self) -> RegionId {
+        self.region
+    }
+
+    /// What it sees of its own region.
+    pub fn own(&self) -> &Observation {
+        &self.own
+    }
+
+    /// What it sees of other regions, in the order of portals.
+    pub fn beyond(&self) -> &[Beyond] {
+        &self.beyond
+    }
+
+    /// Everything that is seen, with its region: those of the own region first.
+    pub fn references(&self) -> impl Iterator<Item = (RegionId, &Node)> {
+        let own = self.own.nodes().map(|node| (self.region, node));
+        own.chain(self.beyond.iter().flat_map(|other| other.seen.nodes().map(|node| (other.region, node))))
+    }
+}
+
+impl Deref for CityObservation {
+    type Target = Observation;
+
+    fn deref(&self) -> &Observation {
+        &self.own
+    }
+}
+
+/// An opening in a frame: its threshold, with X pointing through it, and its clear width and height, metres.
+struct Opening {
+    pose: Pose,
+    width: f32,
+    height: f32,
+}
+
+impl Opening {
+    /// Whether a line from the near side to the far side goes through.
+    fn lets_see(&self, eye: &Point3<f32>, to: &Point3<f32>) -> bool {
+        let [eye, to] = [eye, to].map(|at| self.pose.inverse_transform_point(at));
+        if eye.x > 0.0 || to.x <= 0.0 {
+            return false;
+        }
+        let at = eye + (to - eye) * (eye.x / (eye.x - to.x));
+        at.y.abs() <= self.width / 2.0 && (0.0..=self.height).contains(&at.z)
+    }
+}
+
+/// A look from an agent's eyes through portals, one behind the other.
+struct Look<'a> {
+    city: &'a City,
+    agent: NodeId,
+    from: RegionId,
+    eye: Point3<f32>,
+    radius: f32,
+    openings: Vec<Opening>,
+    portals: Vec<PortalId>,
+    found: Vec<Beyond>,
+}
+
+impl City {
+    /// What an agent sees within a radius, metres: of its own region what [`Environment::observation`] gives; and of the rooms
+    /// behind open and glazed portals of the room it is in, up to three one behind the other, what is seen through these
+    /// openings from its eyes and within the radius. Nothing within a room hides other things, as in a single home, but for
+    /// closed containers. Changes nothing.
+    ///
+    /// [`Environment::observation`]: crate::Environment::observation
+    ///
+    /// # Errors
+    /// [`CityError::NoSuchAgent`]; reasons for which a region cannot be made.
+    pub fn observation(&self, agent: NodeId, radius: f32) -> Result<CityObservation, CityError> {
+        self.observed(agent, Scope::Radius(radius), radius)
+    }
+
+    /// What an agent sees of its room, as the planner's belief uses it, and of the rooms behind portals, as
+    /// [`observation`](Self::observation) has it, up to 60 m away.
+    ///
+    /// # Errors
+    /// As [`observation`](Self::observation).
+    pub fn room_observation(&self, agent: NodeId) -> Result<CityObservation, CityError> {
+        self.observed(agent, Scope::Room, FAR)
+    }
+
+    fn observed(&self, agent: NodeId, scope: Scope, radius: f32) -> Result<CityObservation, CityError> {
+        let environment = self.environment_with(agent)?;
+        let own = environment.graph().observe(agent, scope);
+        let region = self.region_of(agent).ok_or_else(|| CityError::NoSuchAgent(self.label(agent)))?;
+        let feet = environment.world().pose(agent).map(|feet| Point3::from(feet.translation.vector));
+        let eye = feet.map(|feet| feet + Vector3::z() * Anthropometry::ADULT.view);
+        let Some((eye, room)) = eye.zip(own.room()) else {
+            return Ok(CityObservation { region, own, beyond: Vec::new() });
+        };
+        let (openings, portals, found) = (Vec::new(), Vec::new(), Vec::new());
+        let mut look = Look { city: self, agent, from: region, eye, radius, openings, portals, found };
+        look.through_portals_of((region, room))?;
+        Ok(CityObservation { region, own, beyond: look.found })
+    }
+}
+
+impl Look<'_> {
+    /// Looks through all portals of a room that one can see through.
+    fn through_portals_of(&mut self, (region, room): (RegionId, NodeId)) -> Result<(), CityError> {
+        if self.portals.len() == PORTALS as usize {
+            return Ok(());
+        }
+        let portals: Vec<PortalId> = self.city.space().portals_of(region).collect();
+        for portal in portals {
+            let Some(plan) = self.city.space().portal(portal) else { continue };
+            let Some((near, across)) = plan.side(region).zip(plan.across(region)) else { continue };
+            let is_open = self.city.portal(portal).is_some_and(|state| state.transparent);
+            let is_behind = across.region != self.from && !self.found.iter().any(|seen| seen.region == across.region);
+            if !is_open || !is_behind || self.room(near)? != Some(room) {
+                continue;
+            }
+            let Some(frame) = self.city.pose_in(self.from, region) else { continue };
+            self.openings.push(Opening { pose: frame * near.pose, width: plan.width, height: plan.height });
+            self.portals.push(portal);
+            self.beyond(across)?;
+            self.openings.pop();
+            self.portals.pop();
+        }
+        Ok(())
+    }
+
+    /// Looks into a room behind the last opening, and on through its portals.
+    fn beyond(&mut self, side: &PortalSide) -> Result<(), CityError> {
+        let Some((room, pose)) = self.room(side)?.zip(self.city.pose_in(self.from, side.region)) else { return Ok(()) };
+        let there = self.city.seen(side.region)?;
+        let seen = there.graph().glimpse(self.agent, room, |node| self.sees(node, &pose));
+        let (region, portals) = (side.region, self.portals.clone());
+        self.found.push(Beyond { region, portals, pose, seen });
+        self.through_portals_of((region, room))
+    }
+
+    /// Whether a node is within the radius, and the middle of its box or one of the corners is seen.
+    fn sees(&self, node: &Node, frame: &Pose) -> bool {
+        let corners = node.aabb().into_iter().flat_map(|bounds| bounds.corners());
+        let points = node.aabb().map(|bounds| bounds.centre()).or_else(|| node.position()).into_iter().chain(corners);
+        let is_seen = |at: Point3<f32>| {
+            let at = frame * at;
+            (at - self.eye).norm() <= self.radius
+                && self.openings.iter().all(|opening| opening.lets_see(&self.eye, &at))
+        };
+        points.into_iter().any(is_seen)
+    }
+
+    /// The room that one enters on a side of a portal.
+    fn room(&self, side: &PortalSide) -> Result<Option<NodeId>, CityError> {
+        match side.room {
+            Some(room) => Ok(Some(room)),
+            None => Ok(self.city.seen(side.region)?.graph().rooms().first().copied()),
+        }
+    }
+}

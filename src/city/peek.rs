@@ -1,0 +1,77 @@
+//! Regions as they are now for whoever looks, whether or not anybody is there: from a cache that nothing else reads.
+
+use std::borrow::Cow;
+use std::sync::{Mutex, MutexGuard, PoisonError};
+
+use vc_graph::clock::Span;
+use vc_graph::space::RegionId;
+
+use super::{City, CityError, time};
+use crate::Environment;
+#[cfg(feature = "render")]
+use crate::environment::JoinedHomes;
+
+/// The regions that are kept as they were made.
+const MADE: usize = 24;
+
+/// Whatever it costs to look at regions where nobody is; clones of a city share it.
+#[derive(Default)]
+pub(super) struct Glances {
+    /// Regions as they were made, the last one first.
+    made: Mutex<Vec<(RegionId, Environment)>>,
+    #[cfg(feature = "render")]
+    pub(super) joined: Mutex<Vec<std::sync::Arc<JoinedHomes>>>,
+}
+
+impl City {
+    /// The environment of any region as it is now: a copy, made from the region's seed and what has changed there if nobody
+    /// is in it. Looking changes nothing: no region is there afterwards that was not before, and no digest differs.
+    ///
+    /// ```
+    /// use virtualcity::City;
+    /// let city = City::make("building/7", 1)?;
+    /// let digest = city.digest();
+    /// let (region, _) = city.space().regions().find(|(_, region)| &*region.name == "yard").ok_or("no yard")?;
+    /// assert!(city.environment(region).is_none(), "nobody is there");
+    /// assert!(!city.peek(region)?.graph().is_empty());
+    /// assert_eq!(city.digest(), digest);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`CityError::NoScene`], [`CityError::Scene`], [`CityError::Make`].
+    pub fn peek(&self, region: RegionId) -> Result<Environment, CityError> {
+        Ok(self.seen(region)?.into_owned())
+    }
+
+    /// The environment of a region as it is now.
+    pub(super) fn seen(&self, region: RegionId) -> Result<Cow<'_, Environment>, CityError> {
+        if let Some(environment) = self.active.get(&region) {
+            return Ok(Cow::Borrowed(environment));
+        }
+        let mut environment = match self.asleep.get(&region) {
+            Some(environment) => environment.clone(),
+            None => self.first(region)?,
+        };
+        environment.step(Span(self.tick.0.saturating_sub(environment.tick().0)));
+        let doors = self.lift_doors(region, environment.graph());
+        time::set_lift_doors(&mut environment, &doors);
+        Ok(Cow::Owned(environment))
+    }
+
+    /// The environment of a region as it is before anybody has been there: a copy of one that is kept.
+    pub(super) fn first(&self, region: RegionId) -> Result<Environment, CityError> {
+        let known = || self.kept().iter().find(|(known, _)| *known == region).map(|(_, kept)| kept.clone());
+        let environment = known().map_or_else(|| self.made(region), Ok)?;
+        let mut kept = self.kept();
+        kept.retain(|(known, _)| *known != region);
+        kept.insert(0, (region, environment.clone()));
+        kept.truncate(MADE);
+        Ok(environment)
+    }
+
+    /// A thread that panicked left nothing half done there.
+    fn kept(&self) -> MutexGuard<'_, Vec<(RegionId, Environment)>> {
+        self.glances.made.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}

@@ -1,0 +1,69 @@
+//! Regions that are seen from another one, through open and glazed portals.
+
+use std::collections::{BTreeMap, VecDeque};
+
+use nalgebra::{Point3, distance};
+use vc_graph::Pose;
+use vc_graph::space::{PortalId, PortalSide, RegionId};
+
+use super::City;
+
+/// Through how many portals one sees, one behind the other.
+pub(super) const PORTALS: u32 = 3;
+/// How far away a portal is seen, metres.
+pub(super) const FAR: f32 = 60.0;
+
+/// A region that is seen from another one.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct InSight {
+    pub(super) region: RegionId,
+    /// The pose of its frame in that of the region from which it is seen.
+    pub(super) pose: Pose,
+    /// Whether one sees into it, and not only its shut door from outside.
+    pub(super) is_open: bool,
+}
+
+impl City {
+    /// The regions that are seen from a point of one, itself first, then in the order of their numbers: those behind up to
+    /// three portals that one can see through, and from outside those whose shut doors are on such a way.
+    pub(super) fn in_sight(&self, from: RegionId, eye: &Point3<f32>) -> Vec<InSight> {
+        let mut found = BTreeMap::from([(from, true)]);
+        let mut ahead = VecDeque::from([(from, 0)]);
+        while let Some((region, portals)) = ahead.pop_front().filter(|(_, portals)| *portals < PORTALS) {
+            for portal in self.space().portals_of(region) {
+                let Some((side, is_open)) = self.beyond(portal, region) else { continue };
+                let is_known = found.get(&side.region).is_some_and(|known| *known || !is_open);
+                let at = self.pose_in(from, side.region).map(|pose| pose * Point3::from(side.pose.translation.vector));
+                if is_known || at.is_none_or(|at| distance(&at, eye) > FAR) {
+                    continue;
+                }
+                found.insert(side.region, is_open);
+                ahead.extend(is_open.then_some((side.region, portals + 1)));
+            }
+        }
+        let own = found.remove(&from).map(|is_open| (from, is_open));
+        let all = own.into_iter().chain(found);
+        all.filter_map(|(region, is_open)| Some(InSight { region, pose: self.pose_in(from, region)?, is_open }))
+            .collect()
+    }
+
+    /// The other side of a portal if anything is seen of the region there, and whether one sees into it.
+    fn beyond(&self, portal: PortalId, region: RegionId) -> Option<(&PortalSide, bool)> {
+        let plan = self.space().portal(portal)?;
+        let across = plan.across(region)?;
+        let is_open = self.portal(portal)?.transparent;
+        // A lift elsewhere is not seen; a shut door is, if it stands in the region beyond.
+        let is_shut_door = || {
+            self.lifts.at(plan).is_none() && plan.leaf.is_some_and(|leaf| self.region_of(leaf) == Some(across.region))
+        };
+        (is_open || is_shut_door()).then_some((across, is_open))
+    }
+
+    /// The pose of a region's frame in that of another.
+    pub(super) fn pose_in(&self, of: RegionId, region: RegionId) -> Option<Pose> {
+        if of == region {
+            return Some(Pose::identity());
+        }
+        Some(self.frame(region)?.to(&self.frame(of)?))
+    }
+}
