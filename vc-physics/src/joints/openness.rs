@@ -11,10 +11,9 @@ use crate::{PhysicsError, convert};
 
 /// Smallest share of its range that a part opens if it cannot open completely.
 const HALF: f32 = 0.5;
-/// The vertical part of an axis from which on a door swings to the side, and the shares of its way from which on such a
-/// door, and one that folds down, is out of the way of the drawers and racks behind it.
+/// The vertical part of an axis from which on a door swings to the side, and the share of its way from which on one that
+/// folds down is out of the way of the racks behind it.
 const UPRIGHT: f32 = 0.7;
-const ASIDE: f32 = 0.7;
 const DOWN: f32 = 0.995;
 
 /// # Opening at once
@@ -24,7 +23,7 @@ impl PhysicsWorld {
     /// gives way to it. The parts then end where [`drive`](Self::drive) takes
     /// them, except in two cases in which `drive` would press a part against things: a part that cannot open
     /// completely, because its contents would hit a wall, opens as far as possible if that is at least half of
-    /// the range; a drawer that cannot open stays closed if others open, and drawers beside a door that cannot open
+    /// the range; a drawer that cannot open stays closed if others open, and racks behind a door that is not folded down
     /// completely stay as they are.
     ///
     /// Doors and lids open before drawers, whose contents would be in their way, and close after them. Where it returns
@@ -124,10 +123,9 @@ impl<'w> Plan<'w> {
         if !self.each(doors)? {
             return Ok(false);
         }
-        let is_upright = |part: usize| thing.form.links[part + 1].joint.is_some_and(|j| j.axis.z.abs() > UPRIGHT);
-        let clears = |&(part, open): &(usize, f32)| open >= self.open * if is_upright(part) { ASIDE } else { DOWN };
-        if !self.moves.iter().all(clears) {
-            // What is in a rack would hit a door that stands half open before it.
+        let folds = |part: usize| thing.form.links[part + 1].joint.is_some_and(|j| j.axis.z.abs() < UPRIGHT);
+        if self.moves.iter().any(|&(part, open)| folds(part) && open < self.open * DOWN) {
+            // What is in a rack would hit a door that is not folded down.
             return Ok(self.openness() >= HALF);
         }
         // A drawer that stays closed does not matter if another part is open.
