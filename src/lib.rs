@@ -11,7 +11,7 @@
 //! | `physics` | `vc-physics` | bodies, agents, navigation, vehicles, water (feature `physics`, on by default) |
 //! | `render` | `vc-render` | camera images: colours, depth, flow, normals, masks, boxes (feature `render`, on by default) |
 //! | `shapes` | `vc-shapes` | objects from a seed: generators, materials, styles (feature `procgen`, on by default) |
-//! | `procgen` | `vc-procgen` | apartments from a seed, dressing (feature `procgen`, on by default) |
+//! | `procgen` | `vc-procgen` | apartments and city plans from a seed, dressing (feature `procgen`, on by default) |
 //! | `geometry` | `vc-geometry` | shapes for things of which only a box is known, doorways, outlines, hulls (feature `environment`) |
 //! | `gltf` | `vc-gltf` | export and import of models (feature `gltf`, on by default) |
 //! | `map` | `vc-map` | streets: lanes, junctions, pavements, routes; OpenStreetMap in, SUMO and OpenDRIVE out (feature `map`, on by default) |

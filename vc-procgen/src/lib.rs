@@ -16,7 +16,8 @@
 //! # Ok::<(), vc_procgen::SpecificationError>(())
 //! ```
 //!
-//! [`Building`] is a plan of regions, homes among them, and makes the scene of each.
+//! [`Building`] is a plan of regions, homes among them, and makes the scene of each. [`city`] plans cities: streets, blocks,
+//! parcels, buildings with their units.
 //!
 //! Objects, materials and [`Style`](vc_shapes::Style)s are those of [`vc_shapes`]; [`dress`] gives shapes to scenes
 //! of boxes.
@@ -27,6 +28,7 @@ mod apartment;
 mod area;
 mod building;
 mod check;
+pub mod city;
 mod clutter;
 mod draft;
 pub mod dress;

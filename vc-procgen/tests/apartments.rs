@@ -7,6 +7,7 @@
 
 mod building;
 mod checker;
+mod city;
 
 use std::sync::LazyLock;
 use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
