@@ -1,4 +1,4 @@
-//! What an agent sees of a city: its own region, and the rooms behind open and glazed portals.
+//! The observation of an agent in a city: of its own region, and the rooms behind open and glazed portals.
 
 use std::ops::Deref;
 
@@ -28,7 +28,7 @@ pub struct CityObservation {
     beyond: Vec<Beyond>,
 }
 
-/// What an agent sees of another region through portals.
+/// The observation of another region through portals.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub struct Beyond {
@@ -38,7 +38,7 @@ pub struct Beyond {
     pub portals: Vec<PortalId>,
     /// The pose of its frame in that of the agent's region: poses of nodes are in their own region's frame.
     pub pose: Pose,
-    /// What is seen of the room that one enters there.
+    /// The observation of the room that one enters there.
     pub seen: Observation,
 }
 
@@ -48,12 +48,12 @@ impl CityObservation {
         self.region
     }
 
-    /// What it sees of its own region.
+    /// The observation of its own region.
     pub fn own(&self) -> &Observation {
         &self.own
     }
 
-    /// What it sees of other regions, in the order of portals.
+    /// The observations of other regions, in the order of portals.
     pub fn beyond(&self) -> &[Beyond] {
         &self.beyond
     }
@@ -105,7 +105,7 @@ struct Look<'a> {
 }
 
 impl City {
-    /// What an agent sees within a radius, metres: of its own region what [`Environment::observation`] gives; and of the rooms
+    /// The things that an agent sees within a radius, metres: of its own region what [`Environment::observation`] gives; and of the rooms
     /// behind open and glazed portals of the room it is in, up to three one behind the other, what is seen through these
     /// openings from its eyes and within the radius. Nothing within a room hides other things, as in a single home, but for
     /// closed containers. Changes nothing.
@@ -118,7 +118,7 @@ impl City {
         self.observed(agent, Scope::Radius(radius), radius)
     }
 
-    /// What an agent sees of its room, as the planner's belief uses it, and of the rooms behind portals, as
+    /// The things that an agent sees of its room, as the planner's belief uses it, and of the rooms behind portals, as
     /// [`observation`](Self::observation) has it, up to 60 m away.
     ///
     /// # Errors

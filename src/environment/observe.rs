@@ -135,7 +135,7 @@ pub(super) fn write_holding_and_posture(graph: &mut SceneGraph, world: &PhysicsW
     for (hand, relation) in hands {
         let held = world.held(agent, hand);
         let said: Vec<NodeId> = edit.graph().related(agent, relation).collect();
-        // What has no body is held by the rule alone.
+        // A thing without a body is held by the rule alone.
         let lost = said.into_iter().filter(|id| Some(*id) != held && world.role(*id).is_some());
         // All of them are there, and hands hold what can be held.
         lost.collect::<Vec<NodeId>>().into_iter().for_each(|id| drop(edit.detach(id)));

@@ -136,7 +136,7 @@ impl Environment {
     /// (`PhysicsWorld::reset`); a thing that the graph has where it is now stays there. New things, and things with a new pose
     /// on or in something else than at the start, keep their pose if it is free and something is right below;
     /// otherwise they get the free spot nearest to it (`SpotSearch`), and if there
-    /// is none, they are left out and reported. What hovers by less than two centimetres is let
+    /// is none, they are left out and reported. A thing that hovers by less than two centimetres is let
     /// down (`PhysicsWorld::lower`). Then all comes to rest (`PhysicsWorld::step`, `PhysicsWorld::put_to_sleep`)
     /// and is observed (`Relations::update_with`).
     ///

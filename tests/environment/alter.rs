@@ -253,7 +253,7 @@ fn without_bodies_others_stay_where_they_are() {
     assert!(home.steer(me, &Steering::default()).is_err(), "bodies do nothing here");
 }
 
-/// What is refused changes nothing, not even where hands are whose control has ended.
+/// A refused call changes nothing, not even where hands are whose control has ended.
 #[test]
 fn refused_alterations_change_nothing() {
     let mut home = home(27, 1);

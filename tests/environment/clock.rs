@@ -274,7 +274,7 @@ fn actions_are_replaced_and_interrupted() {
     let endings = home.step(Span(1));
     assert_eq!(interruption(&endings[0]), Some(&Interruption::Cancelled));
     assert!(home.current_action(me).is_none() && home.set_action(me, Action::zero(Verb::Wave)).is_ok());
-    // Of two actions given in one tick the second counts, and of one that is taken back none.
+    // The second of two actions that are given in one tick counts, and one that is taken back does not.
     home.give(me, walk);
     home.give(me, Action::zero(Verb::Wave));
     home.interrupt(me);

@@ -81,7 +81,7 @@ impl PhysicsWorld {
     }
 
     /// The node and link on which a loose thing rests, directly or through others, if that link moves on a
-    /// joint: a drawer, a rack, an open door. What nothing carries from below is jammed in a rack that it touches.
+    /// joint: a drawer, a rack, an open door. A thing that nothing carries from below is jammed in a rack that it touches.
     pub(crate) fn rides(&self, id: NodeId) -> Option<(NodeId, usize)> {
         let turns =
             |thing: &Thing, link: usize| thing.form.links[link].joint.is_some_and(|j| j.kind == JointKind::Hinge);

@@ -110,7 +110,7 @@ impl Form {
     fn compartment(&self, surface: &Surface, link: Option<u32>) -> Option<Cavity> {
         let floor = surface.centre.z;
         let top = surface.clearance.map_or(self.high.z, |c| floor + c).max(floor + HOLLOW_LEAST);
-        // What is pressed into a rack is in it still.
+        // A thing that is pressed into a rack is in it still.
         let half = Vector3::new(surface.half.0, surface.half.1, (top - floor + COMPARTMENT_SINK) / 2.0);
         let centre = Vector3::new(surface.centre.x, surface.centre.y, top - half.z);
         let sound = half.iter().all(|&h| h > 0.0);

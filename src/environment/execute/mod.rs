@@ -1,7 +1,7 @@
 //! Actions as motions of bodies.
 //!
 //! The effects of the transition rule become [tasks](task), a [planner] makes motions of them by the world as it is, and
-//! [bodies](perform) do those. What comes next is planned when they are done. The planner's parts: [`stand`] is about
+//! [bodies](perform) do those. The next ones are planned when they are done. The planner's parts: [`stand`] is about
 //! where to stand, [`open`] about doors and drawers, [`put`] about hands, [`spot`] about where there is room, [`steady`]
 //! about what would not stay where it was put, [`rest`] about seats, and [`aim`] about the
 //! points, headings, slots and sides that an action asks for.

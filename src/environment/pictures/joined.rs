@@ -18,7 +18,7 @@ pub(crate) struct Beside<'a> {
     pub(crate) extent: Extent,
 }
 
-/// What is drawn, and by which camera.
+/// The scene that is drawn, and the camera.
 pub(crate) type JoinedView<'a> = (&'a [Beside<'a>], &'a Camera);
 
 /// Environments as pictures of all of them begin, and the light in them.

@@ -17,7 +17,7 @@ use crate::environment::position;
 pub(crate) enum Extent {
     /// All of it.
     Whole,
-    /// What is seen of it from outside: floors, walls, doors, windows and what is drawn over them.
+    /// Its outside: floors, walls, doors, windows and what is drawn over them.
     Shell,
 }
 

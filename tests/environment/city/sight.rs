@@ -1,4 +1,4 @@
-//! What is seen of a city through open portals: pictures, light, observations.
+//! Sights of a city through open portals: pictures, light, observations.
 
 use virtualcity::graph::clock::Span;
 use virtualcity::graph::space::RegionId;

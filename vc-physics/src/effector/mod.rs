@@ -2,7 +2,7 @@
 //!
 //! A guided hand is a body of its own: a palm, fingers and a thumb that open and close. The [arm](arm) pulls it to its
 //! goal with the force of a person; what it hits stops it, what is light gives way. [Fingers](fingers) close until they
-//! meet something. What is between them can be [held](grasp): a loose thing by a joint that keeps it as it is in the
+//! meet something. A thing between them can be [held](grasp): a loose thing by a joint that keeps it as it is in the
 //! hand, a moving part by a joint about which it turns, as a handle does in a hand; either slips out where more pulls at
 //! it than the force of the grip. Arms have no body.
 

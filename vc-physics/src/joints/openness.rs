@@ -125,7 +125,7 @@ impl<'w> Plan<'w> {
         }
         let folds = |part: usize| thing.form.links[part + 1].joint.is_some_and(|j| j.axis.z.abs() < UPRIGHT);
         if self.moves.iter().any(|&(part, open)| folds(part) && open < self.open * DOWN) {
-            // What is in a rack would hit a door that is not folded down.
+            // The load of a rack would hit a door that is not folded down.
             return Ok(self.openness() >= HALF);
         }
         // A drawer that stays closed does not matter if another part is open.

@@ -54,7 +54,7 @@ fn radius(kerb: &Convex, corner: usize, classes: [StreetClass; 2]) -> f64 {
     let count = kerb.corners().len();
     let [before, at, after] = [count - 1, 0, 1].map(|step| kerb.corners()[(corner + step) % count]);
     let cosine = (before - at).normalize().dot(&(after - at).normalize());
-    // Of half the corner's angle: the curve goes that far from the corner, and the house's corner lies that far.
+    // By half the corner's angle: the curve goes that far from the corner, and the house's corner lies that far.
     let (sine, square) = (((1.0 - cosine) / 2.0).sqrt(), (1.0 + cosine) / 2.0);
     let pavement = classes[0].pavement().min(classes[1].pavement());
     let room = 2.0 * (pavement - ROOM * sine) / square.max(1e-6);

@@ -51,7 +51,7 @@ pub(super) fn floor(plan: &Convex, width: f64) -> Floor {
             units.extend(pieces.filter(|_| step > LEAST).filter_map(|[from, to]| between(from, to, part)));
         }
     }
-    // What has no facade is no room for anybody: stores, bicycles, plant.
+    // A space without a facade is no room for anybody: stores, bicycles, plant.
     units.retain(|unit: &Convex| unit.sides().any(|(a, b, beyond)| beyond.is_open() && (b - a).norm() > FACADE));
     let core = bands[0].as_ref().and_then(|front| between(core[0], core[1], front));
     Floor { core, units }

@@ -57,7 +57,7 @@ pub struct StreetItem {
     pub height: f64,
     /// The pavement on which it stands.
     pub pavement: Option<LaneId>,
-    /// What it says, if it is a sign.
+    /// The text on it, if it is a sign.
     pub sign: Option<TrafficSign>,
 }
 

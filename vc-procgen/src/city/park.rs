@@ -41,7 +41,7 @@ pub struct Park {
     pub middle: Point,
     /// The width of its paths, metres.
     pub path: f64,
-    /// What is in it, with its outline, counter-clockwise.
+    /// The things in it, with their outlines, counter-clockwise.
     pub features: Vec<(ParkFeature, Vec<Point>)>,
     /// Its trees.
     pub trees: Vec<Point>,

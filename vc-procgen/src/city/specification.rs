@@ -31,7 +31,7 @@ pub struct CitySpecification {
     pub density: f64,
     /// The pattern of its streets; drawn by default.
     pub pattern: Option<StreetPattern>,
-    /// What it has at the water; drawn by default.
+    /// The edge of its water; drawn by default.
     pub waterside: Option<Waterside>,
     /// The share of its blocks that are parks, 0.02 to 0.3; 0.08 by default.
     pub parks: f64,

@@ -6,7 +6,7 @@ use super::convex::{Beyond, Convex};
 use super::item::{StreetItem, yields};
 use super::near::Near;
 
-/// Who gives way looks from this far behind the edge of the carriageway, metres.
+/// A driver who gives way looks from this far behind the edge of the carriageway, metres.
 const EYE: f64 = 3.0;
 /// Posts that are thinner hide nobody, nor do things that are lower: radius and height in metres.
 pub(super) const THIN: f64 = 0.32;
