@@ -74,6 +74,7 @@ impl Deref for CityObservation {
 }
 
 /// An opening in a frame: its threshold, with X pointing through it, and its clear width and height, metres.
+#[derive(Debug, Clone, Copy)]
 struct Opening {
     pose: Pose,
     width: f32,
@@ -92,16 +93,22 @@ impl Opening {
     }
 }
 
-/// A look from an agent's eyes through portals, one behind the other.
+/// A room of a region, and the portals through which one looks into it, one behind the other.
+#[derive(Debug, Clone)]
+struct Way {
+    region: RegionId,
+    room: NodeId,
+    portals: Vec<PortalId>,
+    openings: Vec<Opening>,
+}
+
+/// A look from an agent's eyes through portals.
 struct Look<'a> {
     city: &'a City,
-    agent: NodeId,
     from: RegionId,
     eye: Point3<f32>,
     radius: f32,
-    openings: Vec<Opening>,
-    portals: Vec<PortalId>,
-    found: Vec<Beyond>,
+    ways: Vec<Way>,
 }
 
 impl City {
@@ -136,56 +143,62 @@ impl City {
         let Some((eye, room)) = eye.zip(own.room()) else {
             return Ok(CityObservation { region, own, beyond: Vec::new() });
         };
-        let (openings, portals, found) = (Vec::new(), Vec::new(), Vec::new());
-        let mut look = Look { city: self, agent, from: region, eye, radius, openings, portals, found };
-        look.through_portals_of((region, room))?;
-        Ok(CityObservation { region, own, beyond: look.found })
+        let mut look = Look { city: self, from: region, eye, radius, ways: Vec::new() };
+        look.through_portals_of(&Way { region, room, portals: Vec::new(), openings: Vec::new() })?;
+        Ok(CityObservation { region, own, beyond: look.seen_by(agent)? })
     }
 }
 
 impl Look<'_> {
-    /// Looks through all portals of a room that one can see through.
-    fn through_portals_of(&mut self, (region, room): (RegionId, NodeId)) -> Result<(), CityError> {
-        if self.portals.len() == PORTALS as usize {
-            return Ok(());
-        }
-        let portals: Vec<PortalId> = self.city.space().portals_of(region).collect();
-        for portal in portals {
-            let Some(plan) = self.city.space().portal(portal) else { continue };
-            let Some((near, across)) = plan.side(region).zip(plan.across(region)) else { continue };
-            let is_open = self.city.portal(portal).is_some_and(|state| state.transparent);
-            let is_behind = across.region != self.from && !self.found.iter().any(|seen| seen.region == across.region);
-            if !is_open || !is_behind || self.room(near)? != Some(room) {
+    /// Looks through all portals of a room that one can see through, and on through those of the rooms behind them.
+    fn through_portals_of(&mut self, way: &Way) -> Result<(), CityError> {
+        let space = self.city.space().clone();
+        for portal in space.portals_of(way.region).filter(|_| way.portals.len() < PORTALS as usize) {
+            let Some(plan) = space.portal(portal) else { continue };
+            let Some((near, across)) = plan.side(way.region).zip(plan.across(way.region)) else { continue };
+            let leads_back = across.region == self.from || way.portals.contains(&portal);
+            let is_open = || self.city.portal(portal).is_some_and(|state| state.transparent);
+            if leads_back || !is_open() || self.room(near)? != Some(way.room) {
                 continue;
             }
-            let Some(frame) = self.city.pose_in(self.from, region) else { continue };
-            self.openings.push(Opening { pose: frame * near.pose, width: plan.width, height: plan.height });
-            self.portals.push(portal);
-            self.beyond(across)?;
-            self.openings.pop();
-            self.portals.pop();
+            let Some((frame, room)) = self.city.pose_in(self.from, way.region).zip(self.room(across)?) else {
+                continue;
+            };
+            let mut next = Way { region: across.region, room, ..way.clone() };
+            next.openings.push(Opening { pose: frame * near.pose, width: plan.width, height: plan.height });
+            next.portals.push(portal);
+            self.through_portals_of(&next)?;
+            self.ways.push(next);
         }
         Ok(())
     }
 
-    /// Looks into a room behind the last opening, and on through its portals.
-    fn beyond(&mut self, side: &PortalSide) -> Result<(), CityError> {
-        let Some((room, pose)) = self.room(side)?.zip(self.city.pose_in(self.from, side.region)) else { return Ok(()) };
-        let there = self.city.seen(side.region)?;
-        let seen = there.graph().glimpse(self.agent, room, |node| self.sees(node, &pose));
-        let (region, portals) = (side.region, self.portals.clone());
-        self.found.push(Beyond { region, portals, pose, seen });
-        self.through_portals_of((region, room))
+    /// What is seen of each room at the ends of ways, by any of these.
+    fn seen_by(mut self, agent: NodeId) -> Result<Vec<Beyond>, CityError> {
+        self.ways.sort_by(|a, b| (a.portals.len(), &a.portals).cmp(&(b.portals.len(), &b.portals)));
+        let mut all: Vec<Beyond> = Vec::new();
+        for way in &self.ways {
+            let Some(pose) = self.city.pose_in(self.from, way.region) else { continue };
+            if all.iter().any(|known| known.region == way.region && known.seen.room() == Some(way.room)) {
+                continue;
+            }
+            let there = self.city.seen(way.region)?;
+            let seen = there.graph().glimpse(agent, way.room, |node| self.sees(node, way, &pose));
+            all.push(Beyond { region: way.region, portals: way.portals.clone(), pose, seen });
+        }
+        Ok(all)
     }
 
-    /// Whether a node is within the radius, and the middle of its box or one of the corners is seen.
-    fn sees(&self, node: &Node, frame: &Pose) -> bool {
+    /// Whether a node of the room at the end of a way is within the radius, and the middle of its box or one of the corners
+    /// is seen, by this way or another one into the room.
+    fn sees(&self, node: &Node, into: &Way, frame: &Pose) -> bool {
         let corners = node.aabb().into_iter().flat_map(|bounds| bounds.corners());
         let points = node.aabb().map(|bounds| bounds.centre()).or_else(|| node.position()).into_iter().chain(corners);
+        let ways = || self.ways.iter().filter(|way| (way.region, way.room) == (into.region, into.room));
         let is_seen = |at: Point3<f32>| {
             let at = frame * at;
-            (at - self.eye).norm() <= self.radius
-                && self.openings.iter().all(|opening| opening.lets_see(&self.eye, &at))
+            let passes = |way: &Way| way.openings.iter().all(|opening| opening.lets_see(&self.eye, &at));
+            (at - self.eye).norm() <= self.radius && ways().any(passes)
         };
         points.into_iter().any(is_seen)
     }

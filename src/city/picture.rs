@@ -68,18 +68,16 @@ impl City {
     /// environment.
     ///
     /// ```
-    /// use virtualcity::graph::space::{Region, RegionKind};
     /// use virtualcity::procgen::Building;
     /// use virtualcity::render::Modality;
     /// use virtualcity::{City, Viewpoint};
     /// let building = Building::from_seed(virtualcity::graph::Seed(7))?;
-    /// let (gallery, home) = (building.storeys()[0].gallery, building.storeys()[0].homes[0]);
+    /// let gallery = building.storeys()[0].gallery;
     /// let mut city = City::of(building).make()?;
     /// let me = city.agents().next().ok_or("nobody")?;
     /// city.go(me, gallery)?;
     /// let frame = city.render(Viewpoint::Agent(me), Modality::Instance, 160, 120)?;
     /// assert!(frame.instance.iter().any(|id| city.region_of(*id) == Some(gallery)));
-    /// # let _ = home;
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     ///

@@ -47,6 +47,7 @@ impl JoinedHomes {
         let mut renderer = Renderer::new();
         let joined = |home: &Beside<'_>| {
             let stage = Stage::new(home.environment, &mut renderer, home.extent);
+            let stage = stage.and_then(|stage| stage.begun(home.environment));
             let stage = stage.map_err(|why| home.environment.named(why))?;
             Ok::<_, RenderError<Label>>(Joined {
                 of: home.environment.picture_cache.clone(),

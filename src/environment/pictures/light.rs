@@ -93,6 +93,7 @@ impl Stage {
             snapshot.enter(*id, *room)?;
         }
         switch(&mut snapshot, &self.lit, &lit.on)?;
+        self.visitors.iter().try_for_each(|id| snapshot.hide(*id, true))?;
         Ok(snapshot)
     }
 

@@ -48,6 +48,8 @@ pub(super) struct Stage {
     pub(super) covers: Vec<NodeId>,
     /// The things that can light rooms.
     pub(super) lamps: Vec<NodeId>,
+    /// Those who have come since the home was made, with what they carry, if light is made without them.
+    pub(super) visitors: Vec<NodeId>,
 }
 
 impl Stage {
@@ -72,7 +74,35 @@ impl Stage {
         let covers = seen.iter().copied().filter(|id| graph.covers_windows(*id)).collect();
         let lamps = snapshot.lamps().collect();
         let lit = lit(graph).into_iter().filter(is_seen).collect();
-        Ok(Self { lit, snapshot, poses, loose, vessels, jointed, openings, covers, lamps, seen })
+        let visitors = Vec::new();
+        Ok(Self { lit, snapshot, poses, loose, vessels, jointed, openings, covers, lamps, visitors, seen })
+    }
+
+    /// The same with everything where it was when the home was made, and light without those who have come since: so it
+    /// does not matter when the first picture is asked for.
+    pub(super) fn begun(mut self, home: &Environment) -> Result<Self, RenderError> {
+        let start = home.start();
+        for (id, pose) in &mut self.poses {
+            let Some(first) = start.node(*id).and_then(|node| node.pose()) else {
+                self.visitors.push(*id);
+                continue;
+            };
+            if first != pose {
+                let room = home.room_at(first.translation.vector.xy().into()).or_else(|| start.room_of(*id));
+                self.snapshot.place(*id, first)?;
+                self.snapshot.enter(*id, room)?;
+                *pose = *first;
+            }
+        }
+        for (id, full) in &mut self.vessels {
+            let contents = start.node(*id).and_then(|node| node.contents());
+            self.snapshot.fill(*id, contents.map(AsRef::as_ref))?;
+            *full = contents.is_some();
+        }
+        for node in self.seen.iter().filter_map(|id| start.node(*id)) {
+            self.snapshot.coat(node.id(), Coat::from_node(node))?;
+        }
+        Ok(self)
     }
 
     /// The things that are lit now and can be seen.

@@ -228,9 +228,13 @@ fn an_open_front_door_shows_the_gallery() {
     let frame = city.render((gallery, Viewpoint::Free(camera)), Modality::Instance, SIZE.0, SIZE.1).unwrap();
     assert!(frame.instance.contains(&other.leaf.unwrap()));
     assert_eq!((city.digest(), city.active().collect::<Vec<RegionId>>()), before);
-    // A copy that has drawn nothing draws the same, in another order.
-    let (again, _) = building();
-    let again = again.restore(&city.save().unwrap()).unwrap();
+    // A copy that has drawn nothing draws the same, in another order, and after somebody has moved as well.
+    let copy = |city: &City| building().0.restore(&city.save().unwrap()).unwrap();
+    let again = copy(&city);
     let _ = again.render((gallery, Viewpoint::Free(camera)), Modality::Instance, SIZE.0, SIZE.1).unwrap();
     assert!(is_same(&again.render(view, wanted, SIZE.0, SIZE.1).unwrap(), &open));
+    let sofa = of_class(&city, home, "sofa");
+    city.set_action(me, Action::walk(sofa)).unwrap();
+    let later = city.render(view, wanted, SIZE.0, SIZE.1).unwrap();
+    assert!(is_same(&copy(&city).render(view, wanted, SIZE.0, SIZE.1).unwrap(), &later));
 }
