@@ -7,18 +7,21 @@ use vc_map::Point;
 use super::building::CityBuilding;
 use super::convex::{Beyond, Convex};
 use super::near::Near;
-use super::{BuildingType, Parcel};
+use super::{BuildingType, Parcel, StreetItem};
 
-/// Trees stand about this far apart, and this far from facades, borders and streets with their lamps, metres.
+/// Trees stand about this far apart, and this far from facades, borders, streets and lamps, metres.
 const APART: f64 = 8.0;
 const FACADE: f64 = 3.2;
 const BORDER: f64 = 1.5;
 const STREET: f64 = 4.7;
+const LAMP: f64 = 4.5;
 /// The chance that there is one.
 const CHANCE: f32 = 0.75;
 
 /// The trees of all parcels with buildings.
-pub(super) fn trees(parcels: &[Parcel], buildings: &[CityBuilding], seed: Seed) -> Vec<Point> {
+pub(super) fn trees(parcels: &[Parcel], buildings: &[CityBuilding], items: &[StreetItem], seed: Seed) -> Vec<Point> {
+    // Lamps of a street around the corner.
+    let lamps = Near::of(items.iter().filter(|item| item.class == "street_lamp").map(|item| &item.at));
     let green = |building: &&CityBuilding| !matches!(building.kind, BuildingType::Hall | BuildingType::Tower);
     let walls: Vec<&Convex> =
         buildings.iter().flat_map(|b| &b.wings).filter(|wing| wing.from == 0).map(|wing| &wing.plan).collect();
@@ -28,7 +31,9 @@ pub(super) fn trees(parcels: &[Parcel], buildings: &[CityBuilding], seed: Seed) 
     };
     let reach = walls.iter().zip(&middles).map(reach).fold(0.0, f64::max) + FACADE;
     let near = Near::of(&middles);
-    let free = |at: &Point| near.around(at, reach).all(|wall| walls[wall].distance(at) >= FACADE);
+    let free = |at: &Point| {
+        near.around(at, reach).all(|wall| walls[wall].distance(at) >= FACADE) && lamps.around(at, LAMP).next().is_none()
+    };
     buildings.iter().filter(green).flat_map(|building| garden(parcels, building, &free, seed)).collect()
 }
 

@@ -81,7 +81,7 @@ impl CityPlan {
         bus_stops(&mut draft, &streets);
         let map = draft.build()?;
         let (items, cars) = (view::without(item::items(&map, seed), &views), parked::parked(&map, &views, seed));
-        let trees = garden::trees(&parcels, &buildings, seed);
+        let trees = garden::trees(&parcels, &buildings, &items, seed);
         Ok(Self {
             seed,
             pattern,

@@ -5,6 +5,9 @@ use vc_map::picture::{Colour, Drawing, Entry, Paint, Shape};
 
 use super::{BuildingType, CityBuilding, CityPlan, CityZone, ParkFeature};
 
+/// The legend stands beside the plan, in a margin of this width, metres.
+const LEGEND: f64 = 130.0;
+
 const TREE: Colour = [104, 158, 92];
 const CAR: Colour = [52, 74, 122];
 const LAMP: Colour = [250, 208, 70];
@@ -84,6 +87,7 @@ impl CityPlan {
     /// ```
     pub fn drawing(&self) -> Drawing {
         let mut drawing = Drawing::of(&self.map);
+        drawing.bounds[0].x -= LEGEND;
         let mut below = Layers { shapes: Vec::new(), legend: Vec::new() };
         for block in &self.blocks {
             below.fill((PAVEMENT, "pavement"), &block.kerb);

@@ -4,7 +4,8 @@ use std::fmt;
 
 macro_rules! rules {
     ($($name:ident, $number:literal, $words:literal;)*) => {
-        /// A rule that plans keep. Their numbers are those of the list of rules for cities in the README of the proofs.
+        /// A rule that plans keep. Rules about one thing share a number; numbers that are missing are those of rules about turning
+        /// vehicles, levels and rooms, which plans are not checked for.
         #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
         #[non_exhaustive]
         pub enum CityRule {
