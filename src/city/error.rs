@@ -95,8 +95,8 @@ pub enum CityError {
     /// The doors of a lift open and shut with its cabin.
     #[error("{0} opens and shuts by itself, where the cabin stands: push a button to call it")]
     MovesByItself(Label),
-    /// The agent has not ended within an hour, and was interrupted.
-    #[error("{0} has not ended within an hour, and was interrupted: `give` and `step` wait longer")]
+    /// The agent has not ended within a day, and was interrupted.
+    #[error("{0} has not ended within a day, and was interrupted: `give` and `step` wait longer")]
     TooLong(Label),
     /// A way to another region was given up for another action.
     #[error("{0} was interrupted on its way: it was given something else to do, or told to stop")]

@@ -22,6 +22,8 @@ const STAIRS: f32 = 0.6;
 const INWARD: f32 = 0.7;
 /// Whoever is as near to a place need not go there, metres.
 const THERE: f32 = 0.3;
+/// The coordinates that a saved way has at most, metres.
+const FARTHEST: f32 = 1e6;
 /// How often one tries again where somebody is in the way, and how long one waits before.
 const TRIES: u32 = 60;
 const PATIENCE: Span = Span(60);
@@ -87,6 +89,23 @@ impl Journey {
     pub(super) fn crosses(&self, space: &Space, region: RegionId) -> bool {
         let Stage::Crossing(crossing) = &self.stage else { return false };
         space.portal(crossing.portal).is_some_and(|plan| plan.side(region).is_some())
+    }
+
+    /// Whether a saved journey can go on at a tick: its portals join regions of a plan, and its way is one.
+    pub(super) fn is_sound(&self, space: &Space, now: Tick) -> bool {
+        let portal = |leg: &Leg| match leg {
+            Leg::Approach(portal) | Leg::Cross(portal) => Some(*portal),
+            Leg::Act(_) => None,
+        };
+        let legs = self.legs.iter().filter_map(portal).all(|portal| space.portal(portal).is_some());
+        legs && match &self.stage {
+            Stage::Waiting(_) | Stage::Acting => true,
+            Stage::Crossing(crossing) => {
+                let joins = |region| space.portal(crossing.portal).is_some_and(|plan| plan.side(region).is_some());
+                let near = |point: &Point3<f32>| point.coords.iter().all(|value| value.abs() <= FARTHEST);
+                crossing.begun <= now && joins(crossing.from) && joins(crossing.into) && crossing.way.iter().all(near)
+            }
+        }
     }
 
     /// Takes up what a saved journey does not have itself: the names by which its action calls things, and its changes.
@@ -391,7 +410,7 @@ impl City {
 
     /// Goes on through a portal; whether that is done.
     fn go_through(&mut self, agent: NodeId, crossing: &mut Crossing) -> Result<bool, CityError> {
-        let gone = (self.tick.0 - crossing.begun.0) as f32 / TICKS_PER_SECOND as f32;
+        let gone = self.tick.0.saturating_sub(crossing.begun.0) as f32 / TICKS_PER_SECOND as f32;
         let Some(feet) = along(&crossing.way, gone) else {
             if crossing.is_beyond {
                 self.come_through(agent, crossing);

@@ -50,7 +50,7 @@ impl From<(RegionId, Viewpoint)> for CityView {
 
 impl City {
     /// A picture of the city as it is: of the region of a viewpoint, and of the regions that are seen from there, through
-    /// at most three open or glazed portals, none farther than 60 m away. Made as the region's
+    /// at most three open doors or windows, none farther than 60 m away. Made as the region's
     /// [`pictures`](Environment::pictures) say; changes nothing.
     ///
     /// | | |

@@ -2,7 +2,7 @@
 
 use vc_graph::clock::Span;
 use vc_graph::space::{RegionId, SpaceError};
-use vc_graph::{Node, NodeId, State};
+use vc_graph::{Event, Node, NodeId, State, Verb};
 
 use super::{City, CityError, RegionLabel};
 use crate::Environment;
@@ -51,8 +51,9 @@ impl City {
         let gone: Vec<RegionId> = self.active.iter().filter_map(rests).collect();
         for region in gone {
             let Some(environment) = self.active.remove(&region) else { continue };
-            // A region that nobody has changed is made anew the next time.
-            if !environment.is_as_made() {
+            // A region that nobody has changed, or done more in than walk, is made anew the next time.
+            let is_done = |event: &Event| event.action.verb != Verb::Walk;
+            if !environment.is_as_made() || environment.history().events().iter().any(is_done) {
                 self.asleep.insert(region, environment);
             }
         }

@@ -1,6 +1,6 @@
 //! Cities as bytes.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
@@ -182,6 +182,9 @@ impl City {
                 asleep.insert(*region, restored)
             };
         }
+        if !self.is_sound(&saved, &active) {
+            return Err(CitySaveError::Damaged);
+        }
         for (agent, journey) in &mut saved.journeys {
             // Somebody under way is somewhere.
             let at = saved.whereabouts.get(agent).and_then(|region| Some((*region, active.get(region)?)));
@@ -205,6 +208,21 @@ impl City {
             endings: Vec::new(),
             ..self.clone()
         })
+    }
+
+    /// Whether everybody is somewhere once, all regions are at the tick, and ways lead through portals.
+    fn is_sound(&self, saved: &SavedCity, active: &BTreeMap<RegionId, Environment>) -> bool {
+        let is_there = |agent: &NodeId| {
+            let region = saved.whereabouts.get(agent).and_then(|region| active.get(region));
+            region.is_some_and(|environment| environment.agents().contains(agent))
+        };
+        let once = saved.agents.iter().collect::<BTreeSet<_>>().len() == saved.agents.len();
+        let known = |region: &RegionId| self.space().region(*region).is_some();
+        once && saved.agents.iter().all(is_there)
+            && saved.journeys.keys().all(|agent| saved.agents.contains(agent))
+            && saved.homes.values().all(known)
+            && active.values().all(|environment| environment.tick() == saved.tick)
+            && saved.journeys.values().all(|journey| journey.is_sound(self.space(), saved.tick))
     }
 
     fn restored_region(&self, region: RegionId, bytes: &[u8]) -> Result<Environment, CitySaveError> {

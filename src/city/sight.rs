@@ -8,7 +8,7 @@ use vc_graph::space::{PortalId, PortalSide, RegionId};
 
 use super::City;
 
-/// Through how many portals one sees, one behind the other.
+/// Through how many doors and windows one sees, one behind the other.
 pub(super) const PORTALS: u32 = 3;
 /// How far away a portal is seen, metres.
 pub(super) const FAR: f32 = 60.0;
@@ -25,20 +25,29 @@ pub(super) struct InSight {
 
 impl City {
     /// The regions that are seen from a point of one, itself first, then in the order of their numbers: those behind up to
-    /// three portals that one can see through, and from outside those whose shut doors are on such a way.
+    /// three doors or windows that one can see through, and from outside those whose shut doors are on such a way.
     pub(super) fn in_sight(&self, from: RegionId, eye: &Point3<f32>) -> Vec<InSight> {
         let mut found = BTreeMap::from([(from, true)]);
         let mut ahead = VecDeque::from([(from, 0)]);
-        while let Some((region, portals)) = ahead.pop_front().filter(|(_, portals)| *portals < PORTALS) {
+        while let Some((region, portals)) = ahead.pop_front() {
             for portal in self.space().portals_of(region) {
                 let Some((side, is_open)) = self.beyond(portal, region) else { continue };
+                // A stair or a gallery in the open hides nothing: what is behind no more doors comes first.
+                let is_door = self.space().portal(portal).is_some_and(|plan| plan.leaf.is_some());
+                if is_open && is_door && portals == PORTALS {
+                    continue;
+                }
                 let is_known = found.get(&side.region).is_some_and(|known| *known || !is_open);
                 let at = self.pose_in(from, side.region).map(|pose| pose * Point3::from(side.pose.translation.vector));
                 if is_known || at.is_none_or(|at| distance(&at, eye) > FAR) {
                     continue;
                 }
                 found.insert(side.region, is_open);
-                ahead.extend(is_open.then_some((side.region, portals + 1)));
+                match (is_open, is_door) {
+                    (true, true) => ahead.push_back((side.region, portals + 1)),
+                    (true, false) => ahead.push_front((side.region, portals)),
+                    (false, _) => {}
+                }
             }
         }
         let own = found.remove(&from).map(|is_open| (from, is_open));

@@ -42,8 +42,8 @@ fn opens_or_shuts(verb: Verb) -> bool {
 
 /// How near to a threshold the doors of a cabin stand, metres.
 const AT_THRESHOLD: f32 = 0.3;
-/// An action that takes longer is given up: an hour.
-const LONGEST: Span = Span(3600 * 60);
+/// An action that takes longer is given up: a day.
+const LONGEST: Span = Span(24 * 3600 * 60);
 
 impl City {
     /// Gives an agent an action, which begins in the next tick of [`step`](Self::step), as [`Environment::give`](crate::Environment::give)

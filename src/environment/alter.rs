@@ -170,7 +170,7 @@ impl Environment {
         let inserted = self.world.insert(&self.graph, id, &self.start.shapes);
         inserted.map_err(|e| self.impossible(e))?;
         self.set_down(id, place)?;
-        observe::write_poses(&mut self.graph, &self.world)?;
+        observe::write_poses_of(&mut self.graph, &self.world, &[id], &[id])?;
         self.relations.rebuild(&self.graph).map_err(PhysicalRefusal::from)?;
         self.settle(&[id])?;
         self.stays(id, place)?;

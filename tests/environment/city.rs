@@ -17,7 +17,7 @@ use virtualcity::graph::{
 };
 use virtualcity::nalgebra::{Point3, Vector3};
 use virtualcity::procgen::Building;
-use virtualcity::{City, CityError, CitySaveError, Environment, LiftState, RegionScenes};
+use virtualcity::{City, CityError, CitySaveError, Environment, GoalScope, LiftState, RegionScenes};
 
 const STOREYS: u32 = 3;
 const HEIGHT: f64 = 3.0;
@@ -371,6 +371,39 @@ fn buttons_call_the_lift() {
     comes(&mut city, 2);
     city.go(me, storeys[2].gallery).unwrap();
     assert_eq!(city.region_of(me), Some(storeys[2].gallery));
+}
+
+/// Doors of a lift that open and shut by themselves are no fault of whoever does something meanwhile.
+#[test]
+fn lift_doors_are_nobodys_fault() {
+    let building = Building::from_seed(Seed(7)).unwrap();
+    let storey = building.storeys()[0].clone();
+    let mut city = City::of(building).make().unwrap();
+    let me = city.agents().next().unwrap();
+    city.go(me, storey.gallery).unwrap();
+    city.set_action(me, Action::walk(storey.call_button)).unwrap();
+    city.set_action(me, Action::one(Verb::Push, storey.call_button)).unwrap();
+    for waits in (0..240).step_by(3) {
+        let mut city = city.clone();
+        city.step(Span(waits));
+        let done = city.set_action(me, "wave".parse().unwrap());
+        assert!(done.is_ok(), "after {waits} ticks: {}", done.unwrap_err());
+    }
+}
+
+/// A region where somebody has done something is remembered, though nothing differs there.
+#[test]
+fn done_actions_are_remembered() {
+    let mut city = city(1);
+    let me = city.agents().next().unwrap();
+    let table = of_class(&city, YARD, "table");
+    city.set_action(me, Action::walk(table)).unwrap();
+    city.set_action(me, Action::one(Verb::Touch, table)).unwrap();
+    city.go(me, landing(1)).unwrap();
+    city.step(Span(120));
+    assert!(city.environment(YARD).is_none());
+    let goal = "Touch(table)".parse().unwrap();
+    assert!(city.holds(&goal, me, GoalScope::Place(YARD)).unwrap());
 }
 
 /// In the middle of walks, on stairs, before and in the lift, with things in hand: a restored city goes on as the saved

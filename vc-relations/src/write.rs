@@ -2,9 +2,10 @@
 
 use std::collections::BTreeMap;
 
-use vc_graph::{ChangeSet, Edge, EditError, NodeId, NodeKind, Place, Relation, SceneGraph};
+use vc_graph::{Aabb, ChangeSet, Edge, EditError, NodeId, NodeKind, Place, Relation, SceneGraph};
 
 use crate::relations::Relations;
+use crate::threshold::OUTSIDE_GAP;
 
 /// Relations that are read from geometry anew each time, beside supports and rooms.
 const FREE: [Relation; 9] = [
@@ -70,7 +71,8 @@ impl Relations {
         let own = carriers_first(own);
         // All things that move leave their old places first, so that no old place turns a new one into a cycle.
         for (id, edges) in &own {
-            if edges.iter().any(rests) && !is_held(edit.graph(), *id) && !is_placed(edit.graph(), *id, edges) {
+            let leaves = edges.iter().any(rests) || is_outside(edit.graph(), *id);
+            if leaves && !is_held(edit.graph(), *id) && !is_placed(edit.graph(), *id, edges) {
                 edit.detach(*id)?;
             }
         }
@@ -128,7 +130,19 @@ fn is_placed(graph: &SceneGraph, id: NodeId, edges: &[Edge]) -> bool {
     new.sort_unstable();
     old.sort_unstable();
     let is_here = |at: NodeId| room.is_none() || graph.room_of(at) == room;
-    (new == old || new.is_empty()) && is_here(id) && old.iter().all(|p| is_here(p.at))
+    // A thing that rests on nothing for a moment keeps its place.
+    let keeps = new.is_empty() && !is_outside(graph, id);
+    (new == old || keeps) && is_here(id) && old.iter().all(|p| is_here(p.at))
+}
+
+/// Whether a thing is outside something that it is inside by the graph.
+fn is_outside(graph: &SceneGraph, id: NodeId) -> bool {
+    let bounds = |id: NodeId| graph.node(id).and_then(vc_graph::Node::aabb);
+    let is_out = |at: NodeId| {
+        let middle = bounds(id).map(|own| own.centre());
+        middle.zip(bounds(at)).is_some_and(|(at, outer)| outer.gap(&Aabb { min: at, max: at }) > OUTSIDE_GAP)
+    };
+    graph.related(id, Relation::Inside).any(is_out)
 }
 
 fn place(edge: &Edge) -> Place {

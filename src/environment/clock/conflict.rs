@@ -192,7 +192,15 @@ impl Environment {
         let stays = |passage: &&&Passage| {
             self.world.parts(passage.door).openness().is_some_and(|now| (now - passage.own).abs() > MOVED)
         };
-        left.iter().filter(stays).map(|passage| passage.door).collect()
+        let stay = left.iter().filter(stays).map(|passage| passage.door).collect();
+        let is_told = |door: NodeId| {
+            let state = self.world.parts(door).state();
+            state.is_none_or(|state| self.graph.node(door).is_some_and(|node| node.is(state)))
+        };
+        let untold: Vec<NodeId> = left.iter().map(|passage| passage.door).filter(|door| !is_told(*door)).collect();
+        self.clock.unseen |= !untold.is_empty();
+        self.clock.changed.extend(untold);
+        stay
     }
 
     /// Ends the actions that the rule allows no longer since something came true in this tick: a door has been shut before

@@ -341,5 +341,7 @@ impl Environment {
             std::mem::take(&mut self.clock.journal)
         });
         self.clock.endings.push(Ending { tick: self.tick(), agent, action, outcome });
+        // Where it has come to is read later, and is nobody else's.
+        self.excuse(&self.graph.carried_with(agent));
     }
 }

@@ -6,7 +6,7 @@ use vc_physics::{BodyRole, Hand};
 
 use super::passing::spot;
 use super::schedule::{NEVER, Phase};
-use super::track::Track;
+use super::track::{Track, is_between_rooms};
 use crate::environment::compare::{Outcome, unsteady};
 use crate::environment::execute::off_aim;
 use crate::environment::motion::BodyMotion;
@@ -101,10 +101,11 @@ impl Environment {
             (is_door && !node.is(now) && !about.contains(id)).then_some((*id, now))
         };
         let doors: Vec<(NodeId, State)> = met.iter().filter_map(differs).collect();
-        if !self.clock.controls.all.is_empty() {
-            // A hand under control may have let it go, so that it goes on by itself.
-            self.excuse(&doors.iter().map(|(id, _)| *id).collect::<Vec<NodeId>>());
-        }
+        // A hand under control may have let it go, so that it goes on by itself; a door between rooms is as somebody has
+        // left it who has passed.
+        let guided = !self.clock.controls.all.is_empty();
+        let others = doors.iter().map(|(id, _)| *id).filter(|id| guided || is_between_rooms(&self.graph, *id));
+        self.excuse(&others.collect::<Vec<NodeId>>());
         let mut edit = self.graph.edit();
         // They are there and have the other state.
         doors.into_iter().for_each(|(id, state)| drop(edit.enter_state(id, state)));
@@ -268,6 +269,7 @@ impl Environment {
             all.extend(inside.filter(|id| !about(*id)));
             if let Track::Way(way) = &schedule.track {
                 all.extend(way.doors.iter().map(|passage| passage.door));
+                all.extend(way.aside.iter().flat_map(|step| self.graph.carried_with(step.agent)));
             }
         }
         all
