@@ -14,6 +14,7 @@ mod peek;
 mod picture;
 mod residency;
 mod save;
+#[cfg(feature = "render")]
 mod sight;
 mod source;
 mod time;
@@ -24,7 +25,7 @@ use std::sync::Arc;
 use vc_graph::clock::{Span, Tick};
 use vc_graph::hash::Digester;
 use vc_graph::space::{Portal, PortalId, PortalState, RegionFrame, RegionId, Space};
-use vc_graph::{Action, Digest, Label, NodeId};
+use vc_graph::{Action, Digest, Label, NodeId, Pose};
 
 use crate::{Environment, EnvironmentBuilder};
 
@@ -153,6 +154,14 @@ impl City {
     pub fn frame(&self, region: RegionId) -> Option<RegionFrame> {
         let plan = self.space().region(region)?;
         Some(self.lifts.get(region).map_or(plan.frame, |lift| lift.frame(plan, self.tick)))
+    }
+
+    /// The pose of a region's frame in that of another.
+    fn pose_in(&self, of: RegionId, region: RegionId) -> Option<Pose> {
+        if of == region {
+            return Some(Pose::identity());
+        }
+        Some(self.frame(region)?.to(&self.frame(of)?))
     }
 
     /// The state of the lift whose cabin is a region.

@@ -6,8 +6,12 @@ use nalgebra::{Point3, Vector3};
 use vc_graph::space::{PortalId, PortalSide, RegionId};
 use vc_graph::{Anthropometry, Node, NodeId, Observation, Pose, Scope};
 
-use super::sight::{FAR, PORTALS};
 use super::{City, CityError};
+
+/// Through how many doors and windows one sees, one behind the other.
+pub(super) const PORTALS: u32 = 3;
+/// How far away a portal is seen, metres.
+pub(super) const FAR: f32 = 60.0;
 
 /// An agent's observation in a city: that of its own region, as which it can be used, and what it sees of others.
 ///

@@ -7,11 +7,7 @@ use vc_graph::Pose;
 use vc_graph::space::{PortalId, PortalSide, RegionId};
 
 use super::City;
-
-/// Through how many doors and windows one sees, one behind the other.
-pub(super) const PORTALS: u32 = 3;
-/// How far away a portal is seen, metres.
-pub(super) const FAR: f32 = 60.0;
+use super::observation::{FAR, PORTALS};
 
 /// A region that is seen from another one.
 #[derive(Debug, Clone, PartialEq)]
@@ -66,13 +62,5 @@ impl City {
             self.lifts.at(plan).is_none() && plan.leaf.is_some_and(|leaf| self.region_of(leaf) == Some(across.region))
         };
         (is_open || is_shut_door()).then_some((across, is_open))
-    }
-
-    /// The pose of a region's frame in that of another.
-    pub(super) fn pose_in(&self, of: RegionId, region: RegionId) -> Option<Pose> {
-        if of == region {
-            return Some(Pose::identity());
-        }
-        Some(self.frame(region)?.to(&self.frame(of)?))
     }
 }
