@@ -81,7 +81,8 @@ impl PhysicsWorld {
     }
 
     /// The node and link on which a loose thing rests, directly or through others, if that link moves on a
-    /// joint: a drawer, a rack, an open door. A thing that nothing carries from below is jammed in a rack that it touches.
+    /// joint: a drawer, a rack, an open door. A thing that nothing carries from below, as it is jammed or has just been
+    /// put there, is carried by the drawer in which it is.
     pub(crate) fn rides(&self, id: NodeId) -> Option<(NodeId, usize)> {
         let turns =
             |thing: &Thing, link: usize| thing.form.links[link].joint.is_some_and(|j| j.kind == JointKind::Hinge);
@@ -105,25 +106,19 @@ impl PhysicsWorld {
                 }
             }
         }
-        let jammed = |id: &NodeId| self.jammed_in(self.thing(*id).ok()?.state.base);
-        if carried { None } else { seen.iter().find_map(jammed) }
+        if carried { None } else { seen.iter().find_map(|id| self.drawer_around(*id)) }
     }
 
-    /// The sliding part that a body touches from any side.
-    fn jammed_in(&self, body: RigidBodyHandle) -> Option<(NodeId, usize)> {
-        let slides = |(id, link): &(NodeId, usize)| {
-            let joint = self.thing(*id).ok().and_then(|thing| thing.form.links.get(*link)?.joint);
-            joint.is_some_and(|joint| joint.kind == JointKind::Slide)
-        };
-        let touched = self.pairs_of(body).filter(|pair| pair.has_any_active_contact());
-        let marks = touched
-            .flat_map(|pair| [pair.collider1, pair.collider2])
-            .filter_map(|c| self.engine.colliders.get(c).map(|collider| group::marked(collider.user_data)));
-        marks.filter(slides).min()
+    /// The moving part in whose hollow a thing is.
+    fn drawer_around(&self, id: NodeId) -> Option<(NodeId, usize)> {
+        let thing = self.thing(id).ok()?;
+        let drawers = self.things.iter().filter(|around| around.id != id && !around.state.moving.is_empty());
+        let link = |around: &Thing| around.form.link_with(self.shelf_of(thing, around.id, true)?.surface);
+        drawers.into_iter().find_map(|around| Some((around.id, link(around).filter(|link| *link > 0)?)))
     }
 
     /// Things that fell asleep during a hop, a millimetre or two above their support, or that have just been moved with it
-    /// and begin to fall: they touch nothing.
+    /// or put there and begin to fall: nothing carries them.
     fn hovering_in(&self, colliders: &[ColliderHandle], displaced: &Displaced) -> Vec<NodeId> {
         let Some(around) = self.box_around(colliders.iter().copied()) else { return Vec::new() };
         let (low, high) = (around.min - Vector3::z() * HOP, around.max + Vector3::z() * HOP);
@@ -136,8 +131,8 @@ impl PhysicsWorld {
             let over = (low.x..=high.x).contains(&centre.x) && (low.y..=high.y).contains(&centre.y);
             Some(over && (low.z..=high.z).contains(&foot))
         };
-        let touches = |base: RigidBodyHandle| self.pairs_of(base).any(|pair| pair.has_any_active_contact());
-        loose.filter(|t| above(t.id) == Some(true) && !touches(t.state.base)).map(|t| t.id).collect()
+        let falls = |t: &&Thing| self.carriers(t.state.base).is_empty();
+        loose.filter(|t| above(t.id) == Some(true)).filter(falls).map(|t| t.id).collect()
     }
 
     /// The things that were pinned to a node's link.

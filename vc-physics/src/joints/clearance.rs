@@ -97,8 +97,7 @@ impl PhysicsWorld {
         let shelves = self.surfaces_that(around, Hold::Inside).into_iter();
         let below = shelves.filter_map(|shelf| Some((height(&shelf)?, shelf.surface)));
         let (_, surface) = below.min_by(|a, b| a.0.total_cmp(&b.0))?;
-        let joint = around.form.surfaces.get(surface)?.joint?;
-        around.form.links.iter().skip(1).position(|link| link.joint == Some(joint))
+        around.form.link_with(surface)?.checked_sub(1)
     }
 
     /// Whether a shape meets anything fixed but one thing.

@@ -212,7 +212,7 @@ impl PhysicsWorld {
         Ok(shut + open.clamp(0.0, 1.0) * (wide - shut))
     }
 
-    /// Updates the motors: those that have arrived, or have tried long enough, stop.
+    /// Updates the motors: those that have arrived, or are stuck after they have tried long enough, stop.
     pub(crate) fn tend_motors(&mut self) {
         if self.driven.is_empty() {
             return;
@@ -220,11 +220,12 @@ impl PhysicsWorld {
         let driven = std::mem::take(&mut self.driven);
         for (id, part) in driven {
             let Ok(index) = self.index(id) else { continue };
-            let (arrived, position) = self.has_arrived(index, part);
+            let (position, slow) = self.pace(index, part);
             let moving = &mut self.things[index].state.moving[part];
             moving.position = position;
             moving.patience = moving.patience.saturating_sub(1);
-            if arrived || moving.patience == 0 {
+            // One that moves again after it was stuck goes on.
+            if slow && (moving.has_arrived() || moving.patience == 0) {
                 self.settle_part(index, part);
             } else {
                 self.turn_on(index, part);
@@ -245,15 +246,12 @@ impl PhysicsWorld {
         }
     }
 
-    /// Whether a part has reached its motor's target and is slow relative to its base; and its position.
-    fn has_arrived(&self, index: usize, part: usize) -> (bool, f32) {
+    /// The position of a part, and whether it is slow relative to its base.
+    fn pace(&self, index: usize, part: usize) -> (f32, bool) {
         let thing = &self.things[index];
-        let moving = &thing.state.moving[part];
-        let (Some(target), Some(position)) = (moving.target, self.part_position(thing, part)) else {
-            return (true, moving.position);
-        };
-        let slow = (position - moving.position).abs() < SLOW * self.settings.dt;
-        (slow && (position - target).abs() <= ARRIVED * (moving.limits.1 - moving.limits.0), position)
+        let before = thing.state.moving[part].position;
+        let now = self.part_position(thing, part).unwrap_or(before);
+        (now, (now - before).abs() < SLOW * self.settings.dt)
     }
 
     /// Ends a motor's motion: a closed part latches.
@@ -310,4 +308,12 @@ impl PhysicsWorld {
 
 fn joint_kind(link: &Link) -> JointKind {
     link.joint.map_or(JointKind::Hinge, |j| j.kind)
+}
+
+impl Moving {
+    /// Whether it is where its motor takes it.
+    fn has_arrived(&self) -> bool {
+        let slack = ARRIVED * (self.limits.1 - self.limits.0);
+        self.target.is_none_or(|target| (self.position - target).abs() <= slack)
+    }
 }

@@ -53,9 +53,9 @@ impl PhysicsWorld {
         Some(SupportSurface { id: thing.id, surface, hold: of.hold, pose, half: of.half, clearance: of.clearance })
     }
 
-    /// Whether a thing is on one of another's surfaces, or inside the other.
-    pub(crate) fn is_at(&self, thing: &Thing, at: NodeId, inside: bool) -> bool {
-        let (Some(aabb), Some(pose)) = (self.aabb(thing.id), self.pose(thing.id)) else { return false };
+    /// The surface of another thing on which a thing is, or the one over which it is inside the other.
+    pub(crate) fn shelf_of(&self, thing: &Thing, at: NodeId, inside: bool) -> Option<SupportSurface> {
+        let (aabb, pose) = (self.aabb(thing.id)?, self.pose(thing.id)?);
         let (low, high) = thing.form.extent;
         let middle = pose * nalgebra::center(&low, &high);
         let margin = if inside { -BESIDE } else { BESIDE };
@@ -90,7 +90,7 @@ impl PhysicsWorld {
             }
             Hold::Hook => false,
         };
-        self.thing(at).is_ok_and(|at| self.surfaces(at).iter().any(holds))
+        self.surfaces(self.thing(at).ok()?).into_iter().find(holds)
     }
 
     /// The surfaces of a thing that hold things in a way.

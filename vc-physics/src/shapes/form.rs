@@ -54,6 +54,12 @@ impl Form {
         Self::new(joints.iter().map(link).collect(), surfaces.clone())
     }
 
+    /// The link that moves a surface; zero is the base.
+    pub(crate) fn link_with(&self, surface: usize) -> Option<usize> {
+        let joint = self.surfaces.get(surface)?.joint;
+        self.links.iter().position(|link| link.joint == joint)
+    }
+
     /// The form of a node that has only a box; hollow if it contains things.
     pub(super) fn from_box(bounds: &Bounds, pose: &Pose, hollow: bool) -> Self {
         let at = Pose::from_parts(bounds.offset.into(), nalgebra::UnitQuaternion::identity());

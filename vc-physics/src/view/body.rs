@@ -218,7 +218,7 @@ impl BodyView<'_> {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn is_at(&self, at: NodeId, inside: bool) -> bool {
-        self.world.is_at(self.thing, at, inside)
+        self.world.shelf_of(self.thing, at, inside).is_some()
     }
 
     /// Whether it is among the things that are [outside](PhysicsWorld::outside).

@@ -87,6 +87,43 @@ fn a_drawer_takes_its_content_along() {
     }
 }
 
+/// A thing that has just been put into an open drawer goes along when it shuts: pinned at once, before anything has touched
+/// it; while it falls the last millimetres, against another thing; and jammed between the drawer's sides.
+#[test]
+fn what_has_just_been_put_into_a_drawer_goes_along() {
+    for how in ["pinned", "falls", "jams"] {
+        let mut scene = Scene::default();
+        scene.floor(5.0, 0.5);
+        let chest = scene.chest_asset();
+        let chest = scene.add("kitchen_cabinet", chest, at(0.0, 0.0, 0.0));
+        let beside = scene.cube(0.03, at(0.0, 0.05, 0.245));
+        let rod = scene.solid("rod", block([0.01, 0.2402, 0.01]), scene.wood);
+        let rod = scene.add("rolling_pin", rod, at(2.0, 0.0, 0.01));
+        let spoon = scene.cube(0.03, at(2.0, 1.0, 0.03));
+        let mut world = scene.world();
+        world.settle(200);
+        world.put_open(chest, Some(0), 1.0).unwrap();
+        world.settle(200);
+        let edge = world.pose(beside).unwrap().translation.vector;
+        let (thing, spot) = match how {
+            "pinned" => (spoon, at(0.3, -0.1, 0.24)),
+            "falls" => (spoon, at(edge.x, edge.y - 0.0601, 0.246)),
+            _ => (rod, at(0.4, 0.0, 0.27)),
+        };
+        world.place(thing, spot).unwrap();
+        if how == "falls" {
+            world.run(1);
+        } else {
+            world.pin(thing, None).unwrap();
+        }
+        let before = world.pose(thing).unwrap().translation.vector;
+        world.put_open(chest, Some(0), 0.0).unwrap();
+        world.settle(200);
+        let moved = world.pose(thing).unwrap().translation.vector - before;
+        assert!((moved.x + 0.3).abs() < 0.02 && moved.z.abs() < 0.01, "{how}: {moved:?}");
+    }
+}
+
 /// A chest of a few kilograms: its drawer moves with it and has no motor.
 fn light_chest(scene: &mut Scene) -> NodeId {
     scene.wood = scene.library.add_material(common::material("balsa", 150.0, 0.5, 0.0)).unwrap();
