@@ -67,9 +67,9 @@ impl Outcome<'_> {
         let mut found: Vec<Difference> = kept.filter_map(|&id| self.place(id)).collect();
         // A released thing lies where it falls, which may be beyond a threshold in the next room.
         let fell = |id: NodeId| self.fell_with(&effects, id);
-        // The rule knows rooms by boxes: in which one a point is, bodies tell.
-        let goes = effects.iter().any(|effect| matches!(effect, Effect::GoToPoint(_) | Effect::StandAs(_)));
-        let went = |id: NodeId| goes && (id == agent || self.before.rests_at(id, agent));
+        // The rule knows rooms by boxes: in which one a point is, bodies tell. It does not know of steps to what is near.
+        let goes_to_thing = effects.iter().any(|effect| matches!(effect, Effect::GoTo(_) | Effect::Approach(_)));
+        let went = |id: NodeId| !goes_to_thing && (id == agent || self.before.rests_at(id, agent));
         found.extend(nodes.iter().filter(|id| !fell(**id) && !went(**id)).filter_map(|&id| self.room(id)));
         found.extend(nodes.iter().filter_map(|&id| self.open(id)));
         found.extend(effects.iter().filter_map(|effect| self.nearness(agent, effect)));

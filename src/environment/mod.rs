@@ -35,6 +35,7 @@ mod survey;
 #[cfg(feature = "render")]
 mod threads;
 mod travel;
+mod whereabouts;
 
 use std::sync::Arc;
 

@@ -153,12 +153,7 @@ impl Environment {
         self.excuse(&[leaf]);
         self.clock.about_to_change(&self.graph);
         // Whoever ends something in the next tick has not done it.
-        let state = self.world.parts(leaf).state();
-        let new = state.filter(|state| self.graph.node(leaf).is_some_and(|node| !node.is(*state)));
-        let mut edit = self.graph.edit();
-        new.into_iter().for_each(|state| drop(edit.enter_state(leaf, state)));
-        let changes = edit.commit();
-        self.clock.note(changes);
+        self.write_open(&[leaf]);
         self.clock.changed.push(leaf);
         (self.clock.stirred, self.clock.unseen) = (true, true);
         Ok(())

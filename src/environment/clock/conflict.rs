@@ -193,13 +193,11 @@ impl Environment {
             self.world.parts(passage.door).openness().is_some_and(|now| (now - passage.own).abs() > MOVED)
         };
         let stay = left.iter().filter(stays).map(|passage| passage.door).collect();
-        let is_told = |door: NodeId| {
-            let state = self.world.parts(door).state();
-            state.is_none_or(|state| self.graph.node(door).is_some_and(|node| node.is(state)))
-        };
-        let untold: Vec<NodeId> = left.iter().map(|passage| passage.door).filter(|door| !is_told(*door)).collect();
-        self.clock.unseen |= !untold.is_empty();
-        self.clock.changed.extend(untold);
+        let passed: Vec<NodeId> = left.iter().map(|passage| passage.door).collect();
+        self.clock.about_to_change(&self.graph);
+        let written = self.write_open(&passed);
+        self.clock.unseen |= !written.is_empty();
+        self.clock.changed.extend(written);
         stay
     }
 

@@ -18,7 +18,8 @@ pub struct Ending {
     /// The action.
     pub action: Action,
     /// The changes of the graph since the ending of the last action that was done, or the reason for which this one was
-    /// not. An action that is broken off after its effects have come true has been done, however its motions end.
+    /// not. An action that is broken off after its effects have come true has been done, however its motions end, unless
+    /// somebody else has [undone](Interruption::Undone) it.
     pub outcome: Result<ChangeSet, ActionError>,
 }
 
@@ -60,6 +61,16 @@ pub enum Interruption {
         /// The agents or the thing; empty if nothing is found where there was no way.
         by: Vec<Label>,
     },
+    /// Somebody else has opened or shut what it was about, and what was put there is elsewhere.
+    #[error("{by} moves {thing}: {} elsewhere", is(.lost))]
+    Undone {
+        /// The furniture.
+        thing: Label,
+        /// The agent that has moved it.
+        by: Label,
+        /// What has not stayed where it was put.
+        lost: Vec<Label>,
+    },
     /// The transition rule allows the action no longer.
     #[error("it is no longer allowed: {}", .0.iter().map(Refusal::to_string).collect::<Vec<_>>().join("; "))]
     NoLonger(Vec<Refusal>),
@@ -72,9 +83,9 @@ pub enum Interruption {
 }
 
 fn something(labels: &[Label]) -> String {
-    match labels {
-        [] => "something is".to_owned(),
-        [one] => format!("{one} is"),
-        more => format!("{} are", in_a_row(more)),
-    }
+    if labels.is_empty() { "something is".to_owned() } else { is(labels) }
+}
+
+fn is(labels: &[Label]) -> String {
+    format!("{} {}", in_a_row(labels), if labels.len() == 1 { "is" } else { "are" })
 }

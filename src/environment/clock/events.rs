@@ -14,6 +14,7 @@ use super::track::{Leaf, Track, Turn};
 use crate::environment::execute::{Bodies, Plan, Planner, Step, Task, WIDE};
 use crate::environment::motion::{BodyMotion, Drive};
 use crate::environment::observe::moved_by_rule;
+use crate::environment::whereabouts::Whereabouts;
 use crate::environment::{ActionError, Attempt, Environment, PhysicalRefusal};
 
 /// How often somebody who walks on is followed.
@@ -187,6 +188,10 @@ impl Environment {
                 until = way.end();
                 track = Track::Way(way);
             }
+            BodyMotion::Put(_) => {
+                let there = self.place_of_put(agent).map(|at| Whereabouts::of(&self.world, at));
+                track = there.map_or(Track::Still, Track::Reach);
+            }
             _ => {}
         }
         if let Some(schedule) = self.clock.running.get_mut(&agent) {
@@ -314,10 +319,20 @@ impl Environment {
             let drive = drive.clone();
             return self.end_leaf(agent, drive);
         }
-        if !pushed {
+        if let Track::Reach(there) = &track
+            && there.differ(&self.world)
+            && self.puts_elsewhere(agent)
+        {
+            return Ok(());
+        }
+        if let (true, BodyMotion::Drive(drive)) = (pushed, &motion) {
+            self.pushes_no_longer(agent, drive.id);
+        } else {
             let (world, start, before) = (&mut self.world, &self.start, &self.graph);
             if let Err(why) = (Bodies { world, start, before, agent }).perform(&motion) {
-                return if self.puts_elsewhere(agent, &motion, &why) { Ok(()) } else { Err(self.cannot(agent, why)) };
+                let taken = matches!(why, PhysicalRefusal::Agent(AgentError::World(PhysicsError::Overlap { .. })));
+                let puts = taken && matches!(motion, BodyMotion::Put(_));
+                return if puts && self.puts_elsewhere(agent) { Ok(()) } else { Err(self.cannot(agent, why)) };
             }
         }
         if let BodyMotion::Fold(id, scale) = motion {
@@ -350,18 +365,27 @@ impl Environment {
         if pushed { self.check_opened(agent) } else { Ok(()) }
     }
 
-    /// Whether an agent whose hand is where it puts something down, and where somebody else has put something meanwhile,
-    /// looks for another spot.
-    fn puts_elsewhere(&mut self, agent: NodeId, motion: &BodyMotion, why: &PhysicalRefusal) -> bool {
-        let taken = matches!(why, PhysicalRefusal::Agent(AgentError::World(PhysicsError::Overlap { .. })));
-        let (now, words) = (self.tick(), self.graph.vocabulary());
-        let puts = taken && matches!(motion, BodyMotion::Put(_));
-        let Some(schedule) = self.clock.running.get_mut(&agent).filter(|s| puts && s.chases < CHASES) else {
-            return false;
-        };
+    /// The effect by which an agent puts something down.
+    fn effect_of_put(&self, agent: NodeId) -> Option<Effect<NodeId>> {
+        let schedule = self.clock.running.get(&agent)?;
         let is_put = |effect: &Effect<NodeId>| matches!(effect, Effect::PutOn(..) | Effect::PutInto(..));
-        let Some(put) = rule::effects(words, &schedule.action).into_iter().find(is_put) else { return false };
-        if !schedule.action.aim.is_nothing() {
+        rule::effects(self.graph.vocabulary(), &schedule.action).into_iter().find(is_put)
+    }
+
+    /// The thing on or into which an agent puts something.
+    fn place_of_put(&self, agent: NodeId) -> Option<NodeId> {
+        match self.effect_of_put(agent)? {
+            Effect::PutOn(_, at) | Effect::PutInto(_, at) => Some(at),
+            _ => None,
+        }
+    }
+
+    /// Whether an agent looks for another spot whose hand is where it puts something down, where somebody else has put
+    /// something meanwhile, or on or in what has been moved.
+    fn puts_elsewhere(&mut self, agent: NodeId) -> bool {
+        let (now, put) = (self.tick(), self.effect_of_put(agent));
+        let Some((schedule, put)) = self.clock.running.get_mut(&agent).zip(put) else { return false };
+        if schedule.chases >= CHASES || !schedule.action.aim.is_nothing() {
             return false;
         }
         schedule.tasks = VecDeque::from([Task::Effect(put)]);
@@ -457,15 +481,6 @@ impl Environment {
         }
     }
 
-    /// Nobody answers for what a hand under control touches, for a door that others keep from shutting, or for those who
-    /// make way.
-    pub(in crate::environment) fn excuse(&mut self, touched: &[NodeId]) {
-        for truth in self.clock.running.values_mut().filter_map(|other| other.truth.as_mut()) {
-            let new = touched.iter().filter(|id| !truth.excused.contains(id)).copied().collect::<Vec<NodeId>>();
-            truth.excused.extend(new);
-        }
-    }
-
     pub(super) fn interrupted(&self, action: &Action, why: Interruption) -> ActionError {
         ActionError::Interrupted { attempt: Attempt::new(action, &self.graph), why: Box::new(why) }
     }
@@ -478,24 +493,29 @@ impl Environment {
 
     /// Ends an action where its motion is.
     pub(super) fn stop(&mut self, agent: NodeId, error: ActionError) {
-        let Some(schedule) = self.clock.running.remove(&agent) else { return };
+        let Some(schedule) = self.hand_over(agent) else { return };
         self.stay(agent, &schedule.track);
-        if let Some(drive) = schedule.pushing()
-            && !self.others(agent).any(|(_, other)| other.pushing().is_some_and(|theirs| theirs.id == drive.id))
-        {
-            self.halt(drive.id);
+        if let Some(drive) = schedule.pushing() {
+            self.pushes_no_longer(agent, drive.id);
         }
         let broken: Vec<NodeId> = schedule.action.things().chain(self.graph.carried_with(agent)).collect();
-        for truth in self.clock.running.values_mut().filter_map(|other| other.truth.as_mut()) {
-            truth.excused.extend(&broken);
-        }
         self.clock.changed.extend(broken);
         self.heed_bodies(agent, &schedule.action);
         // Others decide by what they see now; what cannot be told is read when all rests.
         drop(self.read_moved());
         // An action whose effects have come true has been done, however its motions end.
-        let done = schedule.truth.is_some() && matches!(error, ActionError::Interrupted { .. });
+        let undone = |why: &Interruption| matches!(why, Interruption::Undone { .. });
+        let broken_off = matches!(&error, ActionError::Interrupted { why, .. } if !undone(why));
+        let done = schedule.truth.is_some() && broken_off;
         self.end(agent, schedule.action, if done { Ok(()) } else { Err(error) });
+    }
+
+    /// The motors of a thing that an agent has pushed stop where they are, unless somebody else pushes it.
+    fn pushes_no_longer(&mut self, agent: NodeId, thing: NodeId) {
+        let pushes = |other: &Schedule| other.pushing().is_some_and(|drive| drive.id == thing);
+        if self.world.parts(thing).is_driven() && !self.others(agent).any(|(_, other)| pushes(other)) {
+            self.halt(thing);
+        }
     }
 
     /// Stops the motors of a thing where they are.
@@ -525,7 +545,7 @@ impl Environment {
                     .into_iter()
                     .for_each(|(part, open)| drop(self.world.put_open(leaf.id, Some(part), open)));
             }
-            Track::Turn(_) | Track::Still => {}
+            Track::Turn(_) | Track::Reach(_) | Track::Still => {}
         }
         (self.clock.stirred, self.clock.unseen) = (true, true);
         self.clock.changed.push(agent);

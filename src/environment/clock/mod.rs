@@ -4,10 +4,11 @@
 //! are [functions of the tick](track) between two events. The world is touched in *live* ticks only: those in which an
 //! action begins, an event is due, or a body is awake. Whether one steps by single ticks or by thousands, the same
 //! live ticks are visited. [`act`] does actions to their end, [`conflict`] is about agents in each other's way,
-//! [`passing`] about ways past others, [`apart`] about distances and [`aside`] about making way, [`rest`] about the end of an action, [`show`] about
-//! the tick as it is seen, [`processes`] about machines and matter, [`save`] about the clock as text.
+//! [`passing`] about ways past others, [`apart`] about distances and [`aside`] about making way, [`rest`] about the end of an action, [`answers`] about who answers for
+//! what, [`show`] about the tick as it is seen, [`processes`] about machines and matter, [`save`] about the clock as text.
 
 mod act;
+mod answers;
 mod apart;
 mod aside;
 mod conflict;

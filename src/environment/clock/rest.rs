@@ -1,7 +1,7 @@
 //! The ends of actions: what they moved rests, is read, and is compared with the rule.
 
 use nalgebra::Point2;
-use vc_graph::{Action, Effect, NodeId, Pose, Relation, SceneGraph, State, rule};
+use vc_graph::{Action, Effect, NodeId, Pose, SceneGraph, State, rule};
 use vc_physics::{BodyRole, Hand};
 
 use super::passing::spot;
@@ -95,22 +95,29 @@ impl Environment {
                 about.extend(way.doors.iter().map(|passage| passage.door));
             }
         }
-        let differs = |id: &NodeId| {
-            let (now, node) = (self.world.parts(*id).state()?, self.graph.node(*id)?);
-            let is_door = node.is(State::Open) || node.is(State::Closed);
-            (is_door && !node.is(now) && !about.contains(id)).then_some((*id, now))
-        };
-        let doors: Vec<(NodeId, State)> = met.iter().filter_map(differs).collect();
+        let doors: Vec<NodeId> = met.iter().copied().filter(|id| !about.contains(id)).collect();
+        let written = self.write_open(&doors);
         // A hand under control may have let it go, so that it goes on by itself; a door between rooms is as somebody has
         // left it who has passed.
         let guided = !self.clock.controls.all.is_empty();
-        let others = doors.iter().map(|(id, _)| *id).filter(|id| guided || is_between_rooms(&self.graph, *id));
+        let others = written.into_iter().filter(|id| guided || is_between_rooms(&self.graph, *id));
         self.excuse(&others.collect::<Vec<NodeId>>());
+    }
+
+    /// Writes whether things are open as their parts are; returns those of which the graph said otherwise.
+    pub(in crate::environment) fn write_open(&mut self, things: &[NodeId]) -> Vec<NodeId> {
+        let differs = |id: &NodeId| {
+            let (now, node) = (self.world.parts(*id).state()?, self.graph.node(*id)?);
+            let is_door = node.is(State::Open) || node.is(State::Closed);
+            (is_door && !node.is(now)).then_some((*id, now))
+        };
+        let doors: Vec<(NodeId, State)> = things.iter().filter_map(differs).collect();
         let mut edit = self.graph.edit();
         // They are there and have the other state.
-        doors.into_iter().for_each(|(id, state)| drop(edit.enter_state(id, state)));
+        doors.iter().for_each(|(id, state)| drop(edit.enter_state(*id, *state)));
         let changes = edit.commit();
         self.clock.note(changes);
+        doors.into_iter().map(|(id, _)| id).collect()
     }
 
     /// Reads what has moved, unless something moves still.
@@ -126,7 +133,7 @@ impl Environment {
         match self.outcome(agent) {
             Ok(false) => {}
             Ok(true) => {
-                if let Some(schedule) = self.clock.running.remove(&agent) {
+                if let Some(schedule) = self.hand_over(agent) {
                     self.end(agent, schedule.action, Ok(()));
                 }
             }
@@ -184,6 +191,9 @@ impl Environment {
         }
         if self.turns_back(agent, &astray) || self.puts_back(agent, &astray) {
             return Ok(false);
+        }
+        if let Some(undone) = self.undone_by_another(agent, &action, &astray) {
+            return Err(self.interrupted(&action, undone));
         }
         let balanced = self.clock.running.get(&agent).and_then(|schedule| schedule.balanced);
         let error = Disagreement { attempt: Attempt::new(&action, &self.graph), differences };
@@ -252,26 +262,5 @@ impl Environment {
             _ => None,
         };
         rule::effects(self.graph.vocabulary(), action).into_iter().filter_map(thing).collect()
-    }
-
-    /// The agents that are doing something else, what they carry, and what their actions are about.
-    fn owned_by_others(&self, but: NodeId, before: &SceneGraph) -> Vec<NodeId> {
-        let own = self.clock.running.get(&but).map(|schedule| schedule.action);
-        let about = |id: NodeId| own.is_some_and(|action| action.things().any(|thing| thing == id));
-        let mut all = Vec::new();
-        for (&agent, schedule) in self.clock.running.iter().filter(|(agent, _)| **agent != but) {
-            all.extend(self.graph.carried_with(agent).into_iter().chain(before.carried_with(agent)));
-            all.push(agent);
-            all.extend(schedule.action.things());
-            // Things on a door that they move go with it.
-            let moved = self.opened_or_closed(&schedule.action);
-            let inside = moved.into_iter().flat_map(|thing| before.relating(Relation::Inside, thing));
-            all.extend(inside.filter(|id| !about(*id)));
-            if let Track::Way(way) = &schedule.track {
-                all.extend(way.doors.iter().map(|passage| passage.door));
-                all.extend(way.aside.iter().flat_map(|step| self.graph.carried_with(step.agent)));
-            }
-        }
-        all
     }
 }

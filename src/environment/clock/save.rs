@@ -51,6 +51,7 @@ struct SavedTruth {
     met: Vec<NodeId>,
     excused: Vec<NodeId>,
     put_back: bool,
+    moved: Option<(NodeId, NodeId)>,
 }
 
 fn json<T: Serialize>(value: &T) -> Result<String, SaveError> {
@@ -86,14 +87,16 @@ impl Environment {
 
     fn saved_truth(&self, truth: &Truth) -> Result<SavedTruth, SaveError> {
         let (before, ruled) = (self.saved_scene(&truth.before)?, self.saved_scene(&truth.ruled)?);
-        let (met, excused, put_back) = (truth.met.clone(), truth.excused.clone(), truth.put_back);
-        Ok(SavedTruth { before, ruled, changes: json(&truth.changes)?, met, excused, put_back })
+        let (met, excused) = (truth.met.clone(), truth.excused.clone());
+        let (put_back, moved) = (truth.put_back, truth.moved);
+        Ok(SavedTruth { before, ruled, changes: json(&truth.changes)?, met, excused, put_back, moved })
     }
 
     fn restored_truth(&self, saved: SavedTruth) -> Result<Truth, SaveError> {
         let (before, ruled) = (self.restored_scene(&saved.before)?, self.restored_scene(&saved.ruled)?);
-        let (changes, put_back) = (self.restored_changes(&saved.changes)?, saved.put_back);
-        Ok(Truth { before, ruled, changes, met: saved.met, excused: saved.excused, put_back })
+        let changes = self.restored_changes(&saved.changes)?;
+        let SavedTruth { met, excused, put_back, moved, .. } = saved;
+        Ok(Truth { before, ruled, changes, met, excused, put_back, moved })
     }
 
     /// Another scene, by its difference from the present one.

@@ -83,6 +83,8 @@ pub(super) struct Truth {
     pub(super) excused: Vec<NodeId>,
     /// Whether what went astray has been put back already.
     pub(super) put_back: bool,
+    /// A thing that the action is about, and whoever has opened or shut it since.
+    pub(super) moved: Option<(NodeId, NodeId)>,
 }
 
 impl Schedule {
@@ -147,7 +149,13 @@ impl Truth {
             changes = changes.then(rule::carry_out(&mut ruled, agent, effect).unwrap_or_default());
         }
         let (met, excused) = (Vec::new(), Vec::new());
-        Self { before, ruled, changes, met, excused, put_back: false }
+        Self { before, ruled, changes, met, excused, put_back: false, moved: None }
+    }
+
+    /// Others answer for some nodes.
+    pub(super) fn excuse(&mut self, nodes: &[NodeId]) {
+        let new: Vec<NodeId> = nodes.iter().filter(|id| !self.excused.contains(id)).copied().collect();
+        self.excused.extend(new);
     }
 
     /// Takes up what somebody else has brought about meanwhile, who answers for what the action is about.

@@ -8,6 +8,7 @@ use vc_graph::{NodeId, Pose, Relation, SceneGraph};
 use vc_physics::PhysicsWorld;
 
 use crate::environment::execute::towards;
+use crate::environment::whereabouts::Whereabouts;
 
 /// Ticks in a second.
 pub(super) const RATE: f32 = TICKS_PER_SECOND as f32;
@@ -34,6 +35,8 @@ pub(super) enum Track {
     Turn(Turn),
     /// Doors, lids or drawers follow a hand.
     Leaf(Leaf),
+    /// A hand goes out to put something where a thing was when it began.
+    Reach(Whereabouts),
     /// Feet and doors stay.
     Still,
 }
@@ -52,7 +55,7 @@ impl Track {
         match self {
             Self::Way(way) => Some(way.feet(at)),
             Self::Turn(turn) => Some(turn.feet(at)),
-            Self::Leaf(_) | Self::Still => None,
+            Self::Leaf(_) | Self::Reach(_) | Self::Still => None,
         }
     }
 }

@@ -8,6 +8,7 @@ use super::planner::{Plan, Planner, Planning};
 use super::spot::{AWAY, FreeSpot};
 use super::task::Task;
 use crate::environment::motion::BodyMotion;
+use crate::environment::whereabouts::Whereabouts;
 
 /// How far others may be pushed aside by what is put down beside them, metres.
 const ASIDE: f32 = 0.15;
@@ -18,7 +19,8 @@ const ROLLED: f32 = 0.04;
 ///
 /// If they come to rest elsewhere, it is put in the middle instead, or in a container where there is room once the
 /// others are pushed together; and if that does not help, it is balanced where it was put. In a container the others are
-/// pushed together for what has tipped over, too.
+/// pushed together for what has tipped over, too. In furniture that somebody has opened or shut meanwhile all stays as it
+/// has come to lie.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(in crate::environment) struct Steadying {
     id: NodeId,
@@ -28,6 +30,8 @@ pub(in crate::environment) struct Steadying {
     now: Pose,
     /// The loose things around it, where they were before.
     around: Vec<(NodeId, Pose)>,
+    /// The place as it was then.
+    there: Whereabouts,
     stage: Stage,
 }
 
@@ -55,13 +59,19 @@ impl Planner<'_> {
     /// Puts down a thing, and sees to it that it stays.
     pub(super) fn watched(&self, put: BodyMotion, id: NodeId, place: Place, spot: Pose) -> Plan {
         let around = self.loose_around(place);
-        let steadying = Steadying { id, place, spot, now: spot, around, stage: Stage::First };
+        let there = Whereabouts::of(self.world, place.at);
+        let steadying = Steadying { id, place, spot, now: spot, around, there, stage: Stage::First };
         Plan::of([put, BodyMotion::ComeToRest]).then(Task::Steady(steadying))
     }
 
     pub(super) fn steady(&mut self, mut of: Steadying) -> Planning {
         if !self.is_movable(of.id) {
             // Somebody has taken it meanwhile.
+            return Ok(Plan::default());
+        }
+        let waited = matches!(of.stage, Stage::First | Stage::PutInTheMiddle | Stage::PutBesideOthers(_));
+        if waited && of.there.differ(self.world) {
+            // Poses from before are nowhere now.
             return Ok(Plan::default());
         }
         of.around.retain(|(id, _)| self.is_movable(*id));

@@ -347,6 +347,58 @@ fn doors_and_drawers_that_two_open_end_as_open_as_by_one() {
     assert!(tried > 100, "{tried}");
 }
 
+/// Whatever is put into furniture while somebody else shuts it, and whenever: what was in there stays at a place that the
+/// graph knows, and goes along when it opens and shuts again.
+#[test]
+fn what_is_put_into_what_somebody_shuts_ends_somewhere() {
+    let (mut tried, mut put) = (0, 0);
+    for (seed, class) in [(59_575, "kitchen_cabinet"), (128, "dresser"), (140, "fridge"), (73_754, "fridge")] {
+        let mut home = home(seed, 2);
+        let (shuts, puts) = (home.agents()[0], home.agents()[1]);
+        let full = |id: &NodeId| home.graph().relating(Relation::Inside, *id).count() > 3;
+        let furniture = home.graph().of_class(class).into_iter().find(full).unwrap();
+        let floor = Place { relation: Relation::On, at: home.graph().room_of(furniture).unwrap() };
+        let mug = home.spawn("mug", floor).unwrap();
+        let things: Vec<NodeId> = home.graph().relating(Relation::Inside, furniture).chain([mug]).collect();
+        let get_ready = [Action::walk(mug), Action::grab(mug), Action::walk(furniture)];
+        if get_ready.into_iter().any(|action| does(&mut home, puts, action).is_none())
+            || [Action::walk(furniture), Action::open(furniture)]
+                .into_iter()
+                .any(|a| does(&mut home, shuts, a).is_none())
+        {
+            continue;
+        }
+        for delay in (0..120).step_by(13) {
+            for first in [shuts, puts] {
+                let mut home = home.clone();
+                let both = [(shuts, Action::close(furniture)), (puts, Action::two(Verb::PutIn, mug, furniture))];
+                home.give(first, both.iter().find(|(agent, _)| *agent == first).unwrap().1);
+                home.step(Span(delay));
+                let second = both.into_iter().find(|(agent, _)| *agent != first).unwrap();
+                home.give(second.0, second.1);
+                let endings = home.step_until_idle(LONG);
+                for ending in &endings {
+                    let is_wrong = matches!(ending.outcome, Err(ActionError::Disagreement(_)));
+                    assert!(!is_wrong, "{seed} {class} {delay}: {:?}", ending.outcome);
+                }
+                put += u32::from(endings.iter().any(|e| e.agent == puts && e.outcome.is_ok()));
+                for action in [Action::walk(furniture), Action::open(furniture), Action::close(furniture)] {
+                    does(&mut home, shuts, action);
+                }
+                for thing in &things {
+                    let bounds = |id: NodeId| home.world().aabb(id);
+                    // Who holds it has no box.
+                    let gap = |place: Place| bounds(place.at).zip(bounds(*thing)).map_or(0.0, |(at, own)| at.gap(&own));
+                    let rests = home.graph().place(*thing).is_some_and(|place| gap(place) < 0.03);
+                    assert!(rests, "{seed} {class} {delay}: {} hangs in the air", home.graph().label(*thing));
+                }
+                tried += 1;
+            }
+        }
+    }
+    assert!(tried > 50 && put > 20, "{tried}, {put}");
+}
+
 /// A book that is taken while somebody opens it is as open in the graph as it is.
 #[test]
 fn what_is_taken_while_it_opens_is_as_open_as_it_is() {

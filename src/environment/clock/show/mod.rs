@@ -88,7 +88,7 @@ impl Environment {
                     self.clock.changed.push(step.agent);
                 }
             }
-            Track::Turn(_) | Track::Still => {}
+            Track::Turn(_) | Track::Reach(_) | Track::Still => {}
         }
     }
 
