@@ -108,11 +108,11 @@ pub(crate) const HOLLOW_VOLUME: f32 = 2e-5;
 pub(crate) const HOLLOW_LEAST: f32 = 0.02;
 
 /// How far from a container's box the middle of a thing is that is no longer inside it, metres, whatever it rests on.
-pub(crate) const OUTSIDE_GAP: f32 = 0.05;
+pub const OUTSIDE_GAP: f32 = 0.05;
 
 /// How far below the floor of a declared compartment its space begins, metres: a plate that is pressed into the wires of a
 /// rack sinks so far.
-pub(crate) const COMPARTMENT_SINK: f32 = 0.025;
+pub const COMPARTMENT_SINK: f32 = 0.025;
 
 /// Least height of a part above a compartment's top for it to be a roof, metres: more than the compartment's
 /// own walls stand out by rounding.
