@@ -136,6 +136,11 @@ impl CityError {
         }
     }
 
+    /// There is no place beyond the threshold of a region.
+    pub(super) fn of_no_floor(region: RegionLabel) -> Self {
+        Self::NoFloor { region, within: crate::environment::BEYOND }
+    }
+
     /// Whether it may be otherwise in a while: somebody is in the way.
     pub(super) fn may_pass(&self) -> bool {
         match self {

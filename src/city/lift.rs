@@ -4,19 +4,11 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use nalgebra::Point3;
 use serde::{Deserialize, Serialize};
-use vc_graph::clock::{Span, TICKS_PER_SECOND, Tick};
+use vc_graph::clock::{TICKS_PER_SECOND, Tick};
 use vc_graph::hash::Digester;
 use vc_graph::space::{Portal, Region, RegionFrame, RegionId, Space};
 
-/// The ticks in which the doors open or shut: 2.5 s.
-const DOOR: u64 = 150;
-/// The ticks for which they stay open, at least: 5 s.
-const OPEN: u64 = 300;
-/// A lift that stands open has left by then, unless somebody else calls it.
-pub(super) const ROUND: Span = Span(OPEN + 3 * DOOR);
-/// Speed of a cabin, metres a second, and its acceleration, metres per second squared.
-const SPEED: f64 = 1.0;
-const ACCELERATION: f64 = 0.8;
+use super::measures::{ACCELERATION, DOOR, OPEN, SPEED};
 
 /// The state of a lift.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -104,13 +96,23 @@ impl Lifts {
         self.busy.is_empty()
     }
 
-    /// Lets a tick pass; returns the cabins of those that change their state. Doors stay open while somebody is between them.
-    pub(super) fn pass(&mut self, now: Tick, is_crossed: impl Fn(RegionId) -> bool) -> Vec<RegionId> {
+    /// The cabins that stand with doors that are not shut, and their stops.
+    pub(super) fn standing_open(&self) -> Vec<(RegionId, u32)> {
+        use LiftState::{Closing, Open, Opening};
+        let stop = |cabin: &RegionId| match self.get(*cabin)?.state {
+            Opening(at) | Open(at) | Closing(at) => Some((*cabin, at)),
+            _ => None,
+        };
+        self.busy.iter().filter_map(stop).collect()
+    }
+
+    /// Lets a tick pass; returns the cabins of those that change their state. Some doors are kept open.
+    pub(super) fn pass(&mut self, now: Tick, kept_open: &BTreeSet<RegionId>) -> Vec<RegionId> {
         let mut changed = Vec::new();
         for &cabin in &self.busy {
             let Some(lift) = self.all.get_mut(&cabin) else { continue };
             let before = lift.state;
-            lift.pass(now, is_crossed(cabin));
+            lift.pass(now, kept_open.contains(&cabin));
             changed.extend((lift.state != before).then_some(cabin));
         }
         let idle = |cabin: &RegionId| self.all.get(cabin).is_none_or(Lift::is_idle);
@@ -163,18 +165,23 @@ impl Lift {
         [Opening(stop), Open(stop), Closing(stop)].contains(&self.state)
     }
 
-    /// Goes on at a tick; `is_crossed` says whether somebody is between the doors.
-    fn pass(&mut self, now: Tick, is_crossed: bool) {
+    /// Whether it stands at a stop and is going to leave.
+    pub(super) fn is_leaving(&self, stop: u32) -> bool {
+        self.is_standing_open(stop) || (self.state == LiftState::Shut(stop) && !self.is_idle())
+    }
+
+    /// Goes on at a tick; its doors are kept open if somebody is between them.
+    fn pass(&mut self, now: Tick, kept_open: bool) {
         use LiftState::{Closing, Moving, Open, Opening, Shut};
         let passed = now.0.saturating_sub(self.since.0);
         let next = match self.state {
             Shut(at) if self.calls.contains(&at) => Some(Opening(at)),
             Shut(at) => self.next_call(at).map(|to| Moving { from: at, to }),
-            Opening(at) => (passed >= DOOR).then_some(Open(at)),
-            Open(at) if is_crossed || self.calls.remove(&at) => Some(Open(at)),
-            Open(at) => (passed >= OPEN).then_some(Closing(at)),
-            Closing(at) if self.calls.contains(&at) => Some(Opening(at)),
-            Closing(at) => (passed >= DOOR).then_some(Shut(at)),
+            Opening(at) => (passed >= DOOR.0).then_some(Open(at)),
+            Open(at) if kept_open || self.calls.remove(&at) => Some(Open(at)),
+            Open(at) => (passed >= OPEN.0).then_some(Closing(at)),
+            Closing(at) if kept_open || self.calls.contains(&at) => Some(Opening(at)),
+            Closing(at) => (passed >= DOOR.0).then_some(Shut(at)),
             Moving { from, to } => (passed >= self.ticks(from, to)).then_some(Shut(to)),
         };
         if let Some(next) = next {

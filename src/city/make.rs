@@ -53,6 +53,7 @@ impl CityBuilder {
             journeys: BTreeMap::new(),
             ways: BTreeMap::new(),
             lifts,
+            stops: BTreeMap::new(),
             endings: Vec::new(),
             glances: Arc::default(),
         };
@@ -115,7 +116,7 @@ impl City {
         let no_floor = || CityError::of_travel(&space, TravelError::NoFloor { region, within: 0.0 });
         let (room, spot) = environment.room_to_enter().ok_or_else(no_floor)?;
         let feet = Pose::translation(spot.x, spot.y, environment.floor().options().level);
-        let arrived = environment.arrive(&newcomer, (region, room), &Pose::identity(), feet, (spot, &[]));
+        let arrived = environment.arrive(&newcomer, (region, room), &Pose::identity(), feet, (spot, |_: &_| true));
         let (spot, _) = arrived.map_err(|why| CityError::of_travel(&space, why))?;
         environment.place_feet(id, Pose::translation(spot.x, spot.y, feet.translation.z));
         self.whereabouts.insert(id, region);

@@ -1,14 +1,21 @@
 //! A city: regions joined by portals, in which agents go from one to another.
 //!
 //! [`source`] is where scenes come from, [`residency`] which regions are there, [`journey`] how agents get from one to
-//! another, [`lift`] how cabins move, [`time`] how all of it goes on, [`save`] cities as bytes.
+//! another, [`leg`] by leg, by [passages](passage) along [ways](way) on which they [heed](heed) each other, [`door`] the doors between two
+//! regions, [`lift`] how cabins move, [`time`] how all of it goes on, [`save`] cities as bytes; [`measures`] has all speeds,
+//! times and sizes.
 
+mod door;
 mod error;
 mod goal;
+mod heed;
 mod journey;
+mod leg;
 mod lift;
 mod make;
+mod measures;
 mod observation;
+mod passage;
 mod peek;
 #[cfg(feature = "render")]
 mod picture;
@@ -18,6 +25,7 @@ mod save;
 mod sight;
 mod source;
 mod time;
+mod way;
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -80,6 +88,8 @@ pub struct City {
     /// The portals that agents take, if not all.
     ways: BTreeMap<NodeId, Ways>,
     lifts: Lifts,
+    /// Those who are to end what they do before time goes on, and whether that is told.
+    stops: BTreeMap<NodeId, bool>,
     endings: Vec<time::CityEnding>,
     /// No part of the state: regions for whoever looks.
     glances: Arc<peek::Glances>,
@@ -140,6 +150,7 @@ impl City {
     pub fn current_action(&self, agent: NodeId) -> Option<&Action> {
         match self.journeys.get(&agent) {
             Some(journey) => journey.action.as_ref(),
+            None if self.stops.contains_key(&agent) => None,
             None => self.environment_of(agent)?.current_action(agent),
         }
     }
@@ -147,7 +158,7 @@ impl City {
     /// Whether an agent has something to do: an action, or a way to another region.
     pub fn is_busy(&self, agent: NodeId) -> bool {
         let acts = || self.environment_of(agent).is_some_and(|there| there.current_action(agent).is_some());
-        self.journeys.contains_key(&agent) || acts()
+        self.journeys.contains_key(&agent) || (!self.stops.contains_key(&agent) && acts())
     }
 
     /// Where a region is now, in the world: the cabin of a lift moves.
@@ -195,6 +206,7 @@ impl City {
         self.whereabouts.iter().for_each(|(node, region)| _ = hash.words([u64::from(node.0), u64::from(region.0)]));
         self.journeys.iter().for_each(|(agent, journey)| journey.feed(*agent, &mut hash));
         self.lifts.all().values().for_each(|lift| lift.feed(&mut hash));
+        self.stops.iter().for_each(|(agent, is_told)| _ = hash.words([u64::from(agent.0), u64::from(*is_told)]));
         hash.digest()
     }
 

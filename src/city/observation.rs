@@ -6,12 +6,8 @@ use nalgebra::{Point3, Vector3};
 use vc_graph::space::{PortalId, PortalSide, RegionId};
 use vc_graph::{Anthropometry, Node, NodeId, Observation, Pose, Scope};
 
+use super::measures::{FAR, PORTALS};
 use super::{City, CityError};
-
-/// Through how many doors and windows one sees, one behind the other.
-pub(super) const PORTALS: u32 = 3;
-/// How far away a portal is seen, metres.
-pub(super) const FAR: f32 = 60.0;
 
 /// An agent's observation in a city: that of its own region, as which it can be used, and what it sees of others.
 ///
@@ -104,6 +100,24 @@ struct Way {
     room: NodeId,
     portals: Vec<PortalId>,
     openings: Vec<Opening>,
+    /// The door of the last portal, if it stands in this room.
+    door: Option<NodeId>,
+    /// Whether one sees past it.
+    is_open: bool,
+}
+
+impl Way {
+    /// No way, within a room.
+    fn within(region: RegionId, room: NodeId) -> Self {
+        Self { region, room, portals: Vec::new(), openings: Vec::new(), door: None, is_open: true }
+    }
+
+    /// Whether a line of sight leads by it to a node: into the room if its last door is open, else to that door.
+    fn lets_see(&self, node: NodeId, eye: &Point3<f32>, to: &Point3<f32>) -> bool {
+        let to_door = self.door == Some(node);
+        let openings = self.openings.len() - usize::from(to_door && !self.openings.is_empty());
+        (self.is_open || to_door) && self.openings[..openings].iter().all(|opening| opening.lets_see(eye, to))
+    }
 }
 
 /// A look from an agent's eyes through portals.
@@ -118,7 +132,7 @@ struct Look<'a> {
 impl City {
     /// The things that an agent sees within a radius, metres: of its own region what [`Environment::observation`] gives; and of the rooms
     /// behind open and glazed portals of the room it is in, up to three one behind the other, what is seen through these
-    /// openings from its eyes and within the radius. Nothing within a room hides other things, as in a single home, but for
+    /// openings from its eyes and within the radius; of a shut portal the door, if it stands beyond. Nothing within a room hides other things, as in a single home, but for
     /// closed containers. Changes nothing.
     ///
     /// [`Environment::observation`]: crate::Environment::observation
@@ -148,7 +162,7 @@ impl City {
             return Ok(CityObservation { region, own, beyond: Vec::new() });
         };
         let mut look = Look { city: self, from: region, eye, radius, ways: Vec::new() };
-        look.through_portals_of(&Way { region, room, portals: Vec::new(), openings: Vec::new() })?;
+        look.through_portals_of(&Way::within(region, room))?;
         Ok(CityObservation { region, own, beyond: look.seen_by(agent)? })
     }
 }
@@ -161,17 +175,20 @@ impl Look<'_> {
             let Some(plan) = space.portal(portal) else { continue };
             let Some((near, across)) = plan.side(way.region).zip(plan.across(way.region)) else { continue };
             let leads_back = across.region == self.from || way.portals.contains(&portal);
-            let is_open = || self.city.portal(portal).is_some_and(|state| state.transparent);
-            if leads_back || !is_open() || self.room(near)? != Some(way.room) {
+            let is_open = self.city.portal(portal).is_some_and(|state| state.transparent);
+            let door = self.city.door_beyond(portal, way.region);
+            if leads_back || (!is_open && door.is_none()) || self.room(near)? != Some(way.room) {
                 continue;
             }
             let Some((frame, room)) = self.city.pose_in(self.from, way.region).zip(self.room(across)?) else {
                 continue;
             };
-            let mut next = Way { region: across.region, room, ..way.clone() };
+            let mut next = Way { region: across.region, room, door, is_open, ..way.clone() };
             next.openings.push(Opening { pose: frame * near.pose, width: plan.width, height: plan.height });
             next.portals.push(portal);
-            self.through_portals_of(&next)?;
+            if is_open {
+                self.through_portals_of(&next)?;
+            }
             self.ways.push(next);
         }
         Ok(())
@@ -188,6 +205,10 @@ impl Look<'_> {
             }
             let there = self.city.seen(way.region)?;
             let seen = there.graph().glimpse(agent, way.room, |node| self.sees(node, way, &pose));
+            // Of a room behind a shut door nothing is seen but the door, or not even that.
+            if !way.is_open && way.door.is_none_or(|door| !seen.sees(door)) {
+                continue;
+            }
             all.push(Beyond { region: way.region, portals: way.portals.clone(), pose, seen });
         }
         Ok(all)
@@ -201,8 +222,7 @@ impl Look<'_> {
         let ways = || self.ways.iter().filter(|way| (way.region, way.room) == (into.region, into.room));
         let is_seen = |at: Point3<f32>| {
             let at = frame * at;
-            let passes = |way: &Way| way.openings.iter().all(|opening| opening.lets_see(&self.eye, &at));
-            (at - self.eye).norm() <= self.radius && ways().any(passes)
+            (at - self.eye).norm() <= self.radius && ways().any(|way| way.lets_see(node.id(), &self.eye, &at))
         };
         points.into_iter().any(is_seen)
     }

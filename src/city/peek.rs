@@ -6,13 +6,11 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 use vc_graph::clock::Span;
 use vc_graph::space::RegionId;
 
+use super::measures::MADE;
 use super::{City, CityError, time};
 use crate::Environment;
 #[cfg(feature = "render")]
 use crate::environment::JoinedHomes;
-
-/// The regions that are kept as they were made.
-const MADE: usize = 24;
 
 /// Whatever it costs to look at regions where nobody is; clones of a city share it.
 #[derive(Default)]

@@ -17,7 +17,7 @@ use crate::environment::SaveError;
 use crate::parts::{self, Magic, PartsFault};
 
 /// The bytes with which saved cities begin.
-const MAGIC: &Magic = b"VCCITY1\n";
+const MAGIC: &Magic = b"VCCITY2\n";
 
 /// All of a city but its regions.
 #[derive(Serialize, Deserialize)]
@@ -37,6 +37,8 @@ struct SavedCity {
     /// The names by which the actions of journeys call their things.
     called: BTreeMap<NodeId, ObjectNames>,
     lifts: BTreeMap<RegionId, Lift>,
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    stops: BTreeMap<NodeId, bool>,
     /// The regions in the order of the parts that follow, and whether they are there.
     regions: Vec<(RegionId, bool)>,
 }
@@ -147,6 +149,7 @@ impl City {
             called: called.collect(),
             journeys: self.journeys.clone(),
             lifts: self.lifts.all().clone(),
+            stops: self.stops.clone(),
             regions: all.iter().map(|(region, _, is_active)| (*region, *is_active)).collect(),
         };
         let head = serde_json::to_vec(&saved)?;
@@ -205,6 +208,7 @@ impl City {
             homes: if saved.homes.is_empty() { self.homes.clone() } else { saved.homes },
             journeys: saved.journeys,
             lifts,
+            stops: saved.stops,
             endings: Vec::new(),
             ..self.clone()
         })

@@ -7,7 +7,7 @@ use vc_graph::Pose;
 use vc_graph::space::{PortalId, PortalSide, RegionId};
 
 use super::City;
-use super::observation::{FAR, PORTALS};
+use super::measures::{FAR, PORTALS};
 
 /// A region that is seen from another one.
 #[derive(Debug, Clone, PartialEq)]

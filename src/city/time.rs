@@ -7,6 +7,7 @@ use vc_graph::clock::{Span, Tick};
 use vc_graph::space::RegionId;
 use vc_graph::{Action, ChangeSet, Node, NodeId, ObjectRole, SceneGraph, State, Verb, rule};
 
+use super::measures::{AT_THRESHOLD, LONGEST};
 use super::{City, CityError};
 use crate::{ActionError, Ending, Environment, Interruption};
 
@@ -36,18 +37,14 @@ impl CityEnding {
     }
 }
 
-fn opens_or_shuts(verb: Verb) -> bool {
+pub(super) fn opens_or_shuts(verb: Verb) -> bool {
     matches!(verb, Verb::Open | Verb::Close)
 }
 
-/// How near to a threshold the doors of a cabin stand, metres.
-const AT_THRESHOLD: f32 = 0.3;
-/// An action that takes longer is given up: a day.
-const LONGEST: Span = Span(24 * 3600 * 60);
-
 impl City {
     /// Gives an agent an action, which begins in the next tick of [`step`](Self::step), as [`Environment::give`](crate::Environment::give)
-    /// does. A walk to something in another region leads there. Pushing a [button](vc_graph::space::Portal::buttons) calls
+    /// does. A walk to something in another region leads there, one to the door of another region before it; from there it is
+    /// opened and shut. What the rule refuses ends at once. Pushing a [button](vc_graph::space::Portal::buttons) calls
     /// the lift; its doors open and shut by themselves only.
     ///
     /// # Errors
@@ -58,18 +55,22 @@ impl City {
             return Err(CityError::MovesByItself(self.label(door)));
         }
         let region = self.elsewhere(agent, &action);
-        if region.is_some() || self.is_crossing(agent) {
-            return self.set_out(agent, region, Some(action));
-        }
-        if self.journeys.contains_key(&agent) {
-            // A refused one breaks nothing off.
-            let refusals = rule::refusals(self.environment_with(agent)?.graph(), agent, &action);
-            if !refusals.is_empty() {
-                let outcome = Err(ActionError::Refused(refusals).into());
-                self.endings.push(CityEnding { tick: self.tick, agent, action: Some(action), outcome });
-                return Ok(());
+        let is_beyond = region.is_some() || (opens_or_shuts(action.verb) && self.door_of(agent, &action).is_some());
+        let refusals = match is_beyond {
+            true => self.refusals_beyond(agent, &action)?,
+            // Its environment says itself what it refuses, but a refused action breaks no journey off.
+            false if self.journeys.contains_key(&agent) && !self.is_crossing(agent) => {
+                rule::refusals(self.environment_with(agent)?.graph(), agent, &action)
             }
-            self.break_off(agent);
+            false => Vec::new(),
+        };
+        if !refusals.is_empty() {
+            let outcome = Err(ActionError::Refused(refusals).into());
+            self.endings.push(CityEnding { tick: self.tick, agent, action: Some(action), outcome });
+            return Ok(());
+        }
+        if is_beyond || self.journeys.contains_key(&agent) || self.stops.contains_key(&agent) {
+            return self.set_out(agent, region, Some(action));
         }
         if let Some(environment) = self.environment_mut(agent) {
             environment.give(agent, action);
@@ -81,10 +82,7 @@ impl City {
     pub fn interrupt(&mut self, agent: NodeId) {
         match self.is_crossing(agent) {
             true => drop(self.set_out(agent, None, None)),
-            false => {
-                self.break_off(agent);
-                self.stop_acting(agent);
-            }
+            false => drop(self.break_off(agent)),
         }
     }
 
@@ -125,6 +123,7 @@ impl City {
 
     /// Lets time pass until an agent has ended what it was just given. Endings of before are left for [`step`](Self::step).
     fn finish(&mut self, agent: NodeId) -> Result<ChangeSet, CityError> {
+        self.stop_those_told();
         let (end, known) = (self.tick + LONGEST, self.endings.len());
         let own = |city: &Self| (known..city.endings.len()).find(|at| city.endings[*at].is_last_of(agent));
         while self.tick < end && own(self).is_none() {
@@ -144,6 +143,7 @@ impl City {
     /// Costs what the regions cost that are there, however many there are in the plan.
     pub fn step(&mut self, span: Span) -> Vec<CityEnding> {
         let end = self.tick + span;
+        self.stop_those_told();
         while self.tick < end {
             self.advance(end, None);
         }
@@ -171,6 +171,7 @@ impl City {
     /// ```
     pub fn step_until_idle(&mut self, most: Span) -> Vec<CityEnding> {
         let end = self.tick + most;
+        self.stop_those_told();
         while let Some(agent) = self.agents.iter().copied().find(|agent| self.is_busy(*agent))
             && self.tick < end
         {
@@ -183,6 +184,7 @@ impl City {
     /// an agent does, if its ending is the first after some that are known.
     fn advance(&mut self, end: Tick, whom: Option<(NodeId, usize)>) {
         let now = self.tick;
+        self.stop_those_told();
         self.journeys_begin();
         let has_ended = |(agent, known): (NodeId, usize)| self.endings[known..].iter().any(|e| e.is_last_of(agent));
         if whom.is_some_and(has_ended) {
@@ -208,6 +210,7 @@ impl City {
         }
         self.lifts_pass();
         self.journeys_pass();
+        self.doors_pass();
         // At the end of a tick all has begun that can: it does not matter whether somebody asks for the next.
         self.journeys_begin();
         self.let_rest();
@@ -244,9 +247,9 @@ impl City {
     }
 
     fn lifts_pass(&mut self) {
-        let (journeys, space) = (&self.journeys, self.source.space());
-        let is_crossed = |cabin| journeys.values().any(|journey| journey.crosses(space, cabin));
-        let changed = self.lifts.pass(self.tick, is_crossed);
+        let open = self.lifts.standing_open().into_iter();
+        let kept_open = open.filter(|(cabin, stop)| self.keeps_open(*cabin, *stop)).map(|(cabin, _)| cabin).collect();
+        let changed = self.lifts.pass(self.tick, &kept_open);
         changed.into_iter().for_each(|cabin| self.move_lift_doors(cabin));
     }
 

@@ -437,7 +437,9 @@ impl Environment {
 
     fn stands_at(&self, agent: NodeId, at: &Point2<f32>) -> bool {
         let feet = Pose::translation(at.x, at.y, self.floor.options().level);
-        self.floor.is_free(*at) && self.world.standing(agent, &feet).is_ok_and(|there| there.is_free())
+        // Of somebody who is not here yet no body can be tried.
+        let fits = || self.world.standing(agent, &feet).is_ok_and(|there| there.is_free());
+        self.floor.is_free(*at) && (self.world.pose(agent).is_none() || fits())
     }
 }
 

@@ -70,8 +70,8 @@ pub use sensing::{LidarScan, Reading, Sensor, SensorError, SensorId, SensorView}
 pub use state::{EnvironmentState, StateError};
 use state::{Past, Waking};
 pub use steer::Steering;
-pub(crate) use travel::Departure;
 pub use travel::TravelError;
+pub(crate) use travel::{APART, BEYOND, Departure, apart_after};
 
 /// At which height somebody is in a room, metres.
 const WAIST: f32 = 0.9;

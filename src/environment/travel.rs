@@ -3,9 +3,10 @@
 use nalgebra::Point2;
 use vc_graph::clock::Span;
 use vc_graph::space::{Load, PassError, RegionId};
-use vc_graph::{ChangeSet, Label, NodeId, Pose, SceneGraph};
-use vc_physics::{PhysicsWorld, Traveller};
+use vc_graph::{Action, ChangeSet, Event, Label, NodeId, Pose, SceneGraph, Verb};
+use vc_physics::{PhysicsWorld, Posture, Traveller};
 
+use super::clock::DISTANCES;
 use super::{Ending, Environment, PhysicalRefusal, make, observe};
 
 /// An agent that has left an environment, with its body and all that it carries.
@@ -39,9 +40,15 @@ pub enum TravelError {
 }
 
 /// The distance between the middles of two who stand side by side, metres.
-const APART: f32 = 0.55;
+pub(crate) const APART: f32 = super::execute::APART;
 /// How far from a threshold one looks for free floor to stand on, metres.
-const BEYOND: f32 = 1.5;
+pub(crate) const BEYOND: f32 = 1.5;
+
+/// The distance that somebody on a way keeps who has waited for a time, metres, here as within a region.
+pub(crate) fn apart_after(waited: Span) -> f32 {
+    let fits = DISTANCES.iter().rev().find(|(_, least)| waited >= *least);
+    fits.map_or(APART, |(apart, _)| *apart).min(APART)
+}
 
 impl Departure {
     /// The agent and all that it carries.
@@ -76,15 +83,14 @@ impl Environment {
     }
 
     /// Lets an agent enter at a pose of its feet, in the frame of this region; the poses of what it carries are taken over by
-    /// `shift`. Returns the free floor nearest to a point where it is going, apart from the spots that others are going to,
-    /// and the changes of the graph.
+    /// `shift`. Returns the free floor nearest to a point where it is going that fits, and the changes of the graph.
     pub(crate) fn arrive(
         &mut self,
         who: &Departure,
         (region, room): (RegionId, NodeId),
         shift: &Pose,
         feet: Pose,
-        (towards, taken): (Point2<f32>, &[Point2<f32>]),
+        (towards, fits): (Point2<f32>, impl Fn(&Point2<f32>) -> bool),
     ) -> Result<(Point2<f32>, ChangeSet), TravelError> {
         let before = self.graph.clone();
         self.clock.about_to_change(&self.graph);
@@ -95,7 +101,7 @@ impl Environment {
         let arrived = self.world.arrive(&body, feet).map_err(PhysicalRefusal::from);
         let spot = arrived.map_err(TravelError::from).and_then(|()| {
             self.floor.update(&self.world);
-            self.spot_near(agent, towards, taken).ok_or(TravelError::NoFloor { region, within: BEYOND })
+            self.spot_near(agent, towards, fits).ok_or(TravelError::NoFloor { region, within: BEYOND })
         });
         let spot = match spot {
             Ok(spot) => spot,
@@ -111,17 +117,28 @@ impl Environment {
         Ok((spot, changes))
     }
 
-    /// The free floor nearest to a point, at most 1.5 m away, and apart from spots that are taken.
-    pub(crate) fn spot_near(&self, agent: NodeId, at: Point2<f32>, taken: &[Point2<f32>]) -> Option<Point2<f32>> {
-        let others: Vec<Point2<f32>> = self
-            .agents()
-            .iter()
-            .filter(|other| **other != agent)
-            .filter_map(|other| Some(self.world.pose(*other)?.translation.vector.xy().into()))
-            .collect();
-        let is_apart = |spot: &Point2<f32>| others.iter().chain(taken).all(|other| (spot - other).norm() > APART);
+    /// The free floor nearest to a point, at most 1.5 m away, that is apart from others and fits.
+    pub(crate) fn spot_near(
+        &self,
+        agent: NodeId,
+        at: Point2<f32>,
+        fits: impl Fn(&Point2<f32>) -> bool,
+    ) -> Option<Point2<f32>> {
+        let others: Vec<Point2<f32>> = self.people_but(agent).map(|(_, at)| at).collect();
+        let is_apart = |spot: &Point2<f32>| others.iter().all(|other| (spot - other).norm() > APART) && fits(spot);
         let near = self.free_near_where(agent, &at, is_apart).map(Point2::from);
         near.filter(|spot| (spot - at).norm() <= BEYOND)
+    }
+
+    /// The others who are here, and where they are.
+    pub(crate) fn people_but(&self, agent: NodeId) -> impl Iterator<Item = (NodeId, Point2<f32>)> + '_ {
+        let others = self.agents().iter().copied().filter(move |other| *other != agent);
+        others.filter_map(|other| Some((other, self.world.pose(other)?.translation.vector.xy().into())))
+    }
+
+    /// Whether an agent stands and does nothing, so that it can make way.
+    pub(crate) fn is_free_to_move(&self, agent: NodeId) -> bool {
+        self.is_idle(agent) && self.posture(agent) == Some(Posture::Standing)
     }
 
     /// A room that one can enter, and a free place near its middle.
@@ -147,16 +164,30 @@ impl Environment {
     }
 
     /// Opens or shuts the leaf of a door that somebody passes.
-    pub(crate) fn set_leaf(&mut self, leaf: NodeId, open: bool) -> Result<(), PhysicalRefusal> {
+    pub(crate) fn set_leaf(&mut self, leaf: NodeId, open: bool) -> Result<ChangeSet, PhysicalRefusal> {
         let moved = self.world.put_open(leaf, None, if open { 1.0 } else { 0.0 });
         moved.map_err(|why| PhysicalRefusal::from(why).in_scene(&self.graph))?;
         self.excuse(&[leaf]);
         self.clock.about_to_change(&self.graph);
         // Whoever ends something in the next tick has not done it.
-        self.write_open(&[leaf]);
+        let changes = self.write_open(&[leaf]);
         self.clock.changed.push(leaf);
         (self.clock.stirred, self.clock.unseen) = (true, true);
-        Ok(())
+        Ok(changes)
+    }
+
+    /// Opens or shuts the door that an action is about, which somebody on its other side does.
+    pub(crate) fn move_leaf_from_outside(
+        &mut self,
+        agent: NodeId,
+        action: Action,
+    ) -> Result<ChangeSet, PhysicalRefusal> {
+        let changes = match action.object {
+            Some(leaf) => self.set_leaf(leaf, action.verb == Verb::Open)?,
+            None => ChangeSet::default(),
+        };
+        self.past.push(Event { agent, action });
+        Ok(changes)
     }
 
     /// Whether nobody does anything here and all rests.

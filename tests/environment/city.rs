@@ -1,5 +1,7 @@
 //! Cities: agents who go from region to region, over stairs and by lift, with what they carry.
 
+mod doors;
+mod passing;
 mod sight;
 mod together;
 mod worlds;

@@ -1,4 +1,4 @@
-//! Who answers for what: of what is elsewhere than an action's rule has it, others may have moved some.
+//! Answering for what is elsewhere than an action's rule has it: others may have moved it.
 
 use vc_graph::{Action, NodeId, Relation, SceneGraph};
 

@@ -55,7 +55,7 @@ impl Environment {
     }
 
     /// Whether an agent has nothing to do, and makes way for nobody yet.
-    fn is_idle(&self, agent: NodeId) -> bool {
+    pub(in crate::environment) fn is_idle(&self, agent: NodeId) -> bool {
         let makes_way = self.ways(agent).flat_map(|(_, way)| &way.aside).any(|step| step.agent == agent);
         self.current_action(agent).is_none() && self.controlled(agent).is_none() && !makes_way
     }

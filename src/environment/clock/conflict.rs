@@ -197,7 +197,7 @@ impl Environment {
         self.clock.about_to_change(&self.graph);
         let written = self.write_open(&passed);
         self.clock.unseen |= !written.is_empty();
-        self.clock.changed.extend(written);
+        self.clock.changed.extend(written.nodes());
         stay
     }
 

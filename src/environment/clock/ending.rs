@@ -68,7 +68,7 @@ pub enum Interruption {
         thing: Label,
         /// The agent that has moved it.
         by: Label,
-        /// What has not stayed where it was put.
+        /// The things that have not stayed where they were put.
         lost: Vec<Label>,
     },
     /// The transition rule allows the action no longer.

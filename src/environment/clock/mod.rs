@@ -32,6 +32,7 @@ use super::control::Controls;
 use super::{ActionError, Attempt, Environment, EnvironmentState};
 
 pub use ending::{Ending, Interruption};
+pub(super) use passing::DISTANCES;
 pub(super) use processes::TimeSettings;
 use schedule::Schedule;
 

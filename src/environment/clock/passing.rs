@@ -16,7 +16,8 @@ use crate::environment::{ActionError, Environment};
 
 /// Distances at which one passes somebody who stands, metres, and how long one has waited before that: bodies side by
 /// side; shoulders turned; squeezed past somebody who does not leave.
-const DISTANCES: [(f32, Span); 3] = [(APART, Span(0)), (NARROW, Span(45)), (SQUEEZED, Span(120))];
+pub(in crate::environment) const DISTANCES: [(f32, Span); 3] =
+    [(APART, Span(0)), (NARROW, Span(45)), (SQUEEZED, Span(120))];
 const NARROW: f32 = 0.4;
 const SQUEEZED: f32 = 0.3;
 /// How much wider the way round somebody is planned, metres: it leads along cells.

@@ -1,7 +1,7 @@
 //! The ends of actions: what they moved rests, is read, and is compared with the rule.
 
 use nalgebra::Point2;
-use vc_graph::{Action, Effect, NodeId, Pose, SceneGraph, State, rule};
+use vc_graph::{Action, ChangeSet, Effect, NodeId, Pose, SceneGraph, State, rule};
 use vc_physics::{BodyRole, Hand};
 
 use super::passing::spot;
@@ -100,12 +100,12 @@ impl Environment {
         // A hand under control may have let it go, so that it goes on by itself; a door between rooms is as somebody has
         // left it who has passed.
         let guided = !self.clock.controls.all.is_empty();
-        let others = written.into_iter().filter(|id| guided || is_between_rooms(&self.graph, *id));
+        let others = written.nodes().filter(|id| guided || is_between_rooms(&self.graph, *id));
         self.excuse(&others.collect::<Vec<NodeId>>());
     }
 
-    /// Writes whether things are open as their parts are; returns those of which the graph said otherwise.
-    pub(in crate::environment) fn write_open(&mut self, things: &[NodeId]) -> Vec<NodeId> {
+    /// Writes whether things are open as their parts are, where the graph says otherwise.
+    pub(in crate::environment) fn write_open(&mut self, things: &[NodeId]) -> ChangeSet {
         let differs = |id: &NodeId| {
             let (now, node) = (self.world.parts(*id).state()?, self.graph.node(*id)?);
             let is_door = node.is(State::Open) || node.is(State::Closed);
@@ -116,8 +116,8 @@ impl Environment {
         // They are there and have the other state.
         doors.iter().for_each(|(id, state)| drop(edit.enter_state(*id, *state)));
         let changes = edit.commit();
-        self.clock.note(changes);
-        doors.into_iter().map(|(id, _)| id).collect()
+        self.clock.note(changes.clone());
+        changes
     }
 
     /// Reads what has moved, unless something moves still.

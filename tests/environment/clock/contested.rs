@@ -387,7 +387,7 @@ fn what_is_put_into_what_somebody_shuts_ends_somewhere() {
                 }
                 for thing in &things {
                     let bounds = |id: NodeId| home.world().aabb(id);
-                    // Who holds it has no box.
+                    // Whoever holds it has no box.
                     let gap = |place: Place| bounds(place.at).zip(bounds(*thing)).map_or(0.0, |(at, own)| at.gap(&own));
                     let rests = home.graph().place(*thing).is_some_and(|place| gap(place) < 0.03);
                     assert!(rests, "{seed} {class} {delay}: {} hangs in the air", home.graph().label(*thing));
