@@ -75,6 +75,7 @@ fn side(
             next: Vec::new(),
             before: Vec::new(),
             stop_line: None,
+            sign: None,
         });
         if let Some(inner) = inner.map(|inner: LaneId| inner.index()) {
             lanes[inner].outer = Some(id);

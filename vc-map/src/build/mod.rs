@@ -8,6 +8,7 @@ mod conflicts;
 mod crossing_rule;
 mod lanes;
 mod movements;
+mod roundabout;
 mod rounded;
 mod signals;
 mod stop_lines;
@@ -91,6 +92,7 @@ fn inner(draft: MapDraft, budget: &mut Budget) -> Result<Inner, MapError> {
     budget.take("the junctions", &junctions)?;
     let mut movements = movements::movements(&draft, &mut junctions, &roads, &mut lanes, budget)?;
     let mut walk = walk::network(&draft, &mut junctions, &roads, &lanes, budget)?;
+    stop_lines::signs(&draft, &roads, &mut lanes);
     stop_lines::stop_lines(&junctions, &walk.crossings, &roads, &mut lanes);
     conflicts::tables(&mut junctions, &movements, &walk.crossings, &lanes, budget)?;
     yields::yields(&draft, &junctions, &roads, &lanes, &mut movements, budget)?;

@@ -43,6 +43,7 @@ mod restrictions;
 mod rings;
 mod side;
 mod signals;
+mod signs;
 mod street;
 mod tags;
 mod units;

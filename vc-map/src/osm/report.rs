@@ -105,8 +105,10 @@ pub enum Reason {
     AtTimes,
     /// A restriction of turns for users whom the map does not know.
     OtherUsers,
-    /// A signal with no junction ahead.
+    /// A signal or sign with no junction ahead.
     NoJunction,
+    /// A sign on a junction of equal streets, or on one that nobody comes to.
+    NoArm,
     /// The map has no use for it.
     NoUse,
     /// More ways meet at its end than a junction takes.
@@ -133,7 +135,8 @@ impl fmt::Display for Reason {
             Self::NoSuchTurn => "no turn fits",
             Self::AtTimes => "holds at some times only",
             Self::OtherUsers => "for users whom the map does not know",
-            Self::NoJunction => "a signal with no junction ahead",
+            Self::NoJunction => "a signal or sign with no junction ahead",
+            Self::NoArm => "a sign on a junction of equal streets: nobody knows for whom",
             Self::NoUse => "no use for it",
             Self::TooManyMeet => "too many ways meet",
             Self::Repeated => "another element has its number",

@@ -18,5 +18,6 @@ mod readers;
 mod real;
 mod right_of_way;
 mod routes;
+mod signs;
 mod town;
 mod world;
