@@ -4,7 +4,9 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::clusters::Clusters;
 use super::network::{Network, Piece};
+use super::words::{Full, Room};
 use super::{Element, Guessed, ImportReport, Reason};
+use crate::size::Holds;
 use crate::{
     Control, CrossingDraft, JunctionDraft, JunctionId, MapDraft, Point, RoadClass, RoadDraft, RoadId, TurnBan, Users,
 };
@@ -17,16 +19,20 @@ pub(super) fn emit(
     clusters: &Clusters,
     lit: &BTreeSet<u32>,
     draft: &mut MapDraft,
+    room: &mut Room,
     report: &mut ImportReport,
-) {
+) -> Result<(), Full> {
     let mut emitter = Emitter { network, clusters, ids: BTreeMap::new(), draft, roads: BTreeMap::new() };
     for (_, piece) in network.all() {
+        let before = emitter.draft.roads.len();
         emitter.road(piece, lit, report);
+        room.take(emitter.draft.roads[before..].iter().map(Holds::bytes).sum())?;
     }
     emitter.crossings();
     emitter.barriers(report);
     emitter.signs(report);
     emitter.edges(report);
+    Ok(())
 }
 
 pub(super) struct Emitter<'a> {

@@ -56,7 +56,12 @@ pub use error::OsmError;
 pub use report::{Guessed, ImportReport, Reason};
 
 use self::tags::Source;
+use self::words::{Full, Room};
 use crate::{DrivingSide, MapDraft};
+
+/// The roads of a description and the tags that are told may take this many bytes, and this many for each byte of the file.
+const LEAST_BYTES: usize = 8 << 20;
+const OF_DESCRIPTION: usize = 8;
 
 /// The largest file that is read, bytes.
 pub const LARGEST: usize = 1 << 30;
@@ -86,9 +91,11 @@ impl OsmData {
     /// the data; the same data gives the same map.
     ///
     /// # Errors
-    /// [`OsmError::Empty`] if no way has nodes.
+    /// [`OsmError::Empty`] if no way has nodes, [`OsmError::TooMuch`] if the description would take far more memory than the file.
     pub fn draft(&self, options: &ImportOptions) -> Result<(MapDraft, ImportReport), OsmError> {
-        let mut report = ImportReport::default();
+        let most = OF_DESCRIPTION.saturating_mul(self.size).saturating_add(LEAST_BYTES);
+        let (mut report, mut room) = (ImportReport::default(), Room(most));
+        let too_much = |Full| OsmError::TooMuch { most };
         let mut source = Source::new(self);
         let frame = source.frame().ok_or(OsmError::Empty)?;
         source.lay_out(&frame);
@@ -97,10 +104,10 @@ impl OsmData {
         draft.side = side;
         let mut network = network::Network::new(&source, side, &mut report);
         let (clusters, signals) = signals::signals(&mut network, &mut report);
-        emit::emit(&network, &clusters, &signals, &mut draft, &mut report);
+        emit::emit(&network, &clusters, &signals, &mut draft, &mut room, &mut report).map_err(too_much)?;
         restrictions::bans(&network, &mut draft, &mut report);
         places::places(&source, &mut draft, &mut report);
-        report.close(&source);
+        report.close(&source, &mut room).map_err(too_much)?;
         Ok((draft, report))
     }
 }

@@ -20,4 +20,5 @@ mod right_of_way;
 mod routes;
 mod signs;
 mod town;
+mod whole;
 mod world;

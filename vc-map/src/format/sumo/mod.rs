@@ -9,6 +9,8 @@ mod lights;
 
 use std::fmt::Display;
 
+use vc_graph::portable::Portable;
+
 use super::xml::Xml;
 use crate::parts::Junction;
 use crate::{Control, DrivingSide, JunctionId, RoadDraft, SignKind, StreetMap};
@@ -82,9 +84,22 @@ fn nodes(map: &StreetMap) -> String {
         if kind == "traffic_light" {
             attributes.push(("tl", &light));
         }
+        let shape = (junction.draft.control == Control::MiniRoundabout).then(|| circle(map, junction));
+        attributes.extend(shape.as_ref().map(|shape| ("shape", shape as &dyn Display)));
         xml.tag("node", &attributes);
     }
     xml.finish()
+}
+
+/// A circle as far around a junction as its nearest arm ends: netconvert makes a junction too small for those who go around.
+fn circle(map: &StreetMap, junction: &Junction) -> String {
+    let roads = junction.arms.iter().filter_map(|arm| Some((arm, map.road(arm.road)?)));
+    let cut = roads.map(|(arm, road)| road.cuts[usize::from(!arm.start)]).fold(f64::INFINITY, f64::min);
+    let corner = |step: u8| {
+        let (sine, cosine) = (f64::from(step) * std::f64::consts::TAU / 16.0).sine_cosine();
+        format!("{},{}", Metres(junction.at.x + cut * cosine), Metres(junction.at.y + cut * sine))
+    };
+    (0..16).map(corner).collect::<Vec<_>>().join(" ")
 }
 
 /// The signs at a junction.
