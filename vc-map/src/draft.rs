@@ -42,7 +42,7 @@ pub enum Structure {
 #[serde(rename_all = "snake_case")]
 #[non_exhaustive]
 pub enum Control {
-    /// The more important road goes first; among equals those who turn give way to oncoming traffic, and all others to whom
+    /// Whoever has no sign goes first, then the more important road; among equals those who turn give way to oncoming traffic, and all others to whom
     /// comes from the right.
     #[default]
     Priority,

@@ -8,6 +8,8 @@
 //! | pavements | on both sides of primary to residential streets, where no footway accompanies them: 4, 3 or 2.4 m wide |
 //! | paths | 2 m wide, streets for people on foot 5 m |
 //! | buildings | three storeys of 3.1 m; a door on the wall nearest to a way |
+//! | direction of a sign | for those who come to the nearest junction, within 60 m |
+//! | who passes a gate | those with two wheels and people; cars where the gate or its way lets them in by a key of access |
 //!
 //! ```
 //! use vc_map::osm::{ImportOptions, OsmData};
