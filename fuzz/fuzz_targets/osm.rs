@@ -9,7 +9,7 @@ fuzz_target!(|file: &[u8]| {
     let Ok(data) = OsmData::read(file) else { return };
     assert!(data.bytes() <= 20 * file.len() + (1 << 20));
     let Ok((draft, _)) = data.draft(&ImportOptions::default()) else { return };
-    let Ok(map) = draft.build() else { return };
+    let Ok(map) = draft.build_of_file(file.len()) else { return };
     map.validate();
     assert!(native::read(&native::write(&map)).is_ok_and(|again| again == map));
 });

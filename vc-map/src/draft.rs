@@ -42,12 +42,14 @@ pub enum Structure {
 #[serde(rename_all = "snake_case")]
 #[non_exhaustive]
 pub enum Control {
-    /// The more important road goes first; among equals those who turn give way to oncoming traffic, and all others to whom
+    /// Whoever has no sign goes first, then the more important road; among equals those who turn give way to oncoming traffic, and all others to whom
     /// comes from the right.
     #[default]
     Priority,
     /// Everybody stops.
     AllWayStop,
+    /// One goes around the middle, and whoever does goes first.
+    MiniRoundabout,
     /// Traffic lights.
     Signals,
     /// The road ends at the edge of the map.
@@ -182,6 +184,32 @@ pub struct CrossingDraft {
     pub source: i64,
 }
 
+/// The kind of a traffic sign.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+#[non_exhaustive]
+pub enum SignKind {
+    /// One gives way.
+    GiveWay,
+    /// One stops, and gives way.
+    Stop,
+}
+
+/// A traffic sign at the end of a road, for those who come along it to a junction.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct SignDraft {
+    /// The junction.
+    pub at: JunctionId,
+    /// The road that ends there.
+    pub road: RoadId,
+    /// Its kind.
+    pub kind: SignKind,
+    /// The number of the node that it was made from; 0 if there is none.
+    #[serde(default)]
+    pub source: i64,
+}
+
 /// A map as it is described. Whatever follows from this (lanes, movements, conflicts, phases, the walkable network) is
 /// worked out by [`MapDraft::build`](crate::MapDraft::build), the same on every machine. Metres, X east and Y north from the
 /// origin; metres per second.
@@ -225,6 +253,9 @@ pub struct MapDraft {
     /// Crossings.
     #[serde(default)]
     pub crossings: Vec<CrossingDraft>,
+    /// Signs that tell who gives way; without one the classes of roads do.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub signs: Vec<SignDraft>,
     /// Buildings.
     #[serde(default)]
     pub buildings: Vec<Building>,

@@ -29,10 +29,10 @@ pub enum MapError {
         /// The missing junction.
         junction: JunctionId,
     },
-    /// A crossing or a ban names a road that does not end at its junction.
+    /// A crossing, a sign or a ban names a road that does not end at its junction.
     #[error("a {what} at {junction} names {road}, which does not end there: name a road that does")]
     NotAtJunction {
-        /// A crossing or a ban.
+        /// A crossing, a sign or a ban.
         what: &'static str,
         /// The junction.
         junction: JunctionId,

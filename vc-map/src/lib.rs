@@ -23,7 +23,8 @@ mod users;
 pub mod validate;
 
 pub use draft::{
-    Control, CrossingDraft, CrossingKind, DrivingSide, JunctionDraft, MapDraft, Origin, RoadDraft, Structure, TurnBan,
+    Control, CrossingDraft, CrossingKind, DrivingSide, JunctionDraft, MapDraft, Origin, RoadDraft, SignDraft, SignKind,
+    Structure, TurnBan,
 };
 pub use error::MapError;
 pub use id::{

@@ -4,7 +4,7 @@ use nalgebra::Vector2;
 
 use crate::{
     BuildingId, ConflictTable, CrossingId, CrossingKind, DrivingSide, JunctionDraft, JunctionId, LaneId, MovementId,
-    Point, Polyline, RoadDraft, RoadId, SignalId, StripKind, Turns, Users, WalkEdgeId, WalkNodeId,
+    Point, Polyline, RoadDraft, RoadId, SignKind, SignalId, StripKind, Turns, Users, WalkEdgeId, WalkNodeId,
 };
 
 /// A road of a map.
@@ -79,6 +79,8 @@ pub struct Lane {
     pub before: Vec<MovementId>,
     /// The station at which vehicles wait, metres; `None` where they need not.
     pub stop_line: Option<f64>,
+    /// The sign at its end.
+    pub sign: Option<SignKind>,
 }
 
 /// An end of a road at a junction.

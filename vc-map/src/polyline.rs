@@ -43,7 +43,9 @@ pub struct Projection {
 impl Polyline {
     /// The line through some points; repeated points count once. `None` if fewer than two differ, or one is not finite.
     pub fn new<P: Into<Point>>(points: impl IntoIterator<Item = P>) -> Option<Self> {
-        let mut line = Self { points: Vec::new(), stations: Vec::new() };
+        let points = points.into_iter();
+        let count = points.size_hint().0;
+        let mut line = Self { points: Vec::with_capacity(count), stations: Vec::with_capacity(count) };
         for point in points {
             let point = point.into();
             if !(point.x.is_finite() && point.y.is_finite()) {

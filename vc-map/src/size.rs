@@ -4,8 +4,8 @@ use crate::parts::{Arm, Entrance, Junction, Lane, Movement, Road, RoadCrossing, 
 use crate::signal::{Light, Phase, Signal};
 use crate::{
     Area, Building, BuildingId, ConflictTable, CrossSection, CrossingDraft, CrossingId, EntranceDraft, EntranceId,
-    JunctionDraft, JunctionId, LaneId, MapDraft, MovementId, Point, Polyline, RoadDraft, RoadId, StopDraft, Strip,
-    TurnBan, WalkEdgeId,
+    JunctionDraft, JunctionId, LaneId, MapDraft, MovementId, Point, Polyline, RoadDraft, RoadId, SignDraft, StopDraft,
+    Strip, TurnBan, WalkEdgeId,
 };
 
 /// Things that hold memory elsewhere.
@@ -63,7 +63,8 @@ macro_rules! holds {
 }
 
 holds! {
-    i64 {} u32 {} [f64; 2] {} Point {} Arm {} Light {} Strip {} TurnBan {} CrossingDraft {} WalkNode {} Entrance {}
+    i64 {} u32 {} [f64; 2] {} Point {} Arm {} Light {} Strip {} TurnBan {} CrossingDraft {} SignDraft {} WalkNode {}
+    Entrance {}
     JunctionId {} RoadId {} LaneId {} MovementId {} CrossingId {} BuildingId {} EntranceId {} WalkEdgeId {}
     JunctionDraft { source }
     CrossSection { forward, backward }
@@ -72,7 +73,7 @@ holds! {
     EntranceDraft { kind }
     Area { outline, holes, name }
     StopDraft { name }
-    MapDraft { name, junctions, roads, bans, crossings, buildings, entrances, areas, stops }
+    MapDraft { name, junctions, roads, bans, crossings, signs, buildings, entrances, areas, stops }
     Road { draft, line, lanes }
     Lane { line, next, before }
     Junction { draft, arms, movements, conflicts, crossings, outline }

@@ -5,11 +5,11 @@ use std::collections::BTreeSet;
 use nalgebra::Vector2;
 use vc_graph::portable::Portable;
 
-use super::MOST_ARMS;
+use super::{MOST_ARMS, roundabout};
 use crate::parts::{Arm, Junction, Road};
 use crate::polyline::normal;
 use crate::signal::ConflictTable;
-use crate::{JunctionId, MapDraft, MapError, Point, Polyline, RoadId};
+use crate::{Control, JunctionId, MapDraft, MapError, Point, Polyline, RoadId};
 
 /// The direction of an arm is that of its point at this distance, metres.
 const LOOK: f64 = 12.0;
@@ -81,7 +81,12 @@ pub(super) fn cuts(draft: &MapDraft, lines: &[Polyline], junctions: &[Junction])
             let line = &lines[arm.road.index()];
             let begin = if arm.start { line.start() } else { line.end() };
             let along = (begin - junction.at).dot(&arm.away).max(0.0);
-            let least = if walked && street(&arm) { CROSSED } else { LEAST };
+            let round = junction.draft.control == Control::MiniRoundabout;
+            let least = match street(&arm) {
+                true if round => roundabout::CUT,
+                true if walked => CROSSED,
+                _ => LEAST,
+            };
             let cut = (cut(draft, junction, index) - along).clamp(least, FARTHEST_CUT);
             let most = (line.length() * LARGEST_PART).min((line.length() - LEFT) / 2.0).max(0.0);
             cuts[arm.road.index()][usize::from(!arm.start)] = cut.min(most);

@@ -21,6 +21,11 @@ impl Budget {
         self.take_bytes(of, things.iter().map(T::bytes).sum())
     }
 
+    /// Finds that some bytes are left, for work that is about to be done.
+    pub(super) fn has(&self, of: impl Display, bytes: usize) -> Result<(), MapError> {
+        if bytes <= self.left { Ok(()) } else { Err(MapError::TooLarge { part: of.to_string(), most: self.most }) }
+    }
+
     pub(super) fn take_bytes(&mut self, of: impl Display, bytes: usize) -> Result<(), MapError> {
         self.left =
             self.left.checked_sub(bytes).ok_or_else(|| MapError::TooLarge { part: of.to_string(), most: self.most })?;

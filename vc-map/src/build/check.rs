@@ -38,7 +38,8 @@ pub(super) fn check(draft: &MapDraft) -> Result<(), MapError> {
     (0..draft.roads.len()).try_for_each(|index| road(draft, RoadId::of(index)))?;
     let bans = draft.bans.iter().flat_map(|ban| [("ban", ban.at, ban.from), ("ban", ban.at, ban.to)]);
     let crossings = draft.crossings.iter().map(|crossing| ("crossing", crossing.at, crossing.road));
-    for (what, junction, road) in bans.chain(crossings) {
+    let signs = draft.signs.iter().map(|sign| ("sign", sign.at, sign.road));
+    for (what, junction, road) in bans.chain(crossings).chain(signs) {
         let ends = draft.roads.get(road.index()).is_some_and(|found| found.from == junction || found.to == junction);
         if !ends {
             return Err(MapError::NotAtJunction { what, junction, road });

@@ -26,6 +26,8 @@ pub(super) fn lanes(
     for (index, (line, cuts)) in lines.into_iter().zip(cuts).enumerate() {
         let (id, first) = (RoadId::of(index), lanes.len());
         let mut road = Road { draft: draft.roads[index].clone(), line, cuts: *cuts, lanes: Vec::new() };
+        // Its middle, and a lane beside it.
+        budget.has(id, 2 * road.line.bytes())?;
         let middle = road.middle();
         for forward in [true, false] {
             side(draft, id, forward, &middle, &mut lanes, budget)?;
@@ -75,6 +77,7 @@ fn side(
             next: Vec::new(),
             before: Vec::new(),
             stop_line: None,
+            sign: None,
         });
         if let Some(inner) = inner.map(|inner: LaneId| inner.index()) {
             lanes[inner].outer = Some(id);

@@ -3,6 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::budget::Budget;
+use super::roundabout;
 use super::targets::{Target, has, leftward, mark, straighten};
 use crate::parts::{Arm, Junction, Lane, Movement, Road, Turn};
 use crate::polyline::turn;
@@ -100,7 +101,10 @@ impl Crossroads<'_> {
     fn movement(&self, from: LaneId, to: LaneId, direction: Turn, open: Users) -> Option<Movement> {
         let (one, other) = (&self.lanes[from.index()], &self.lanes[to.index()]);
         let (end, start) = (one.line.length(), 0.0);
-        let line = turn(one.line.end(), one.line.direction(end), other.line.start(), other.line.direction(start));
+        let around = || roundabout::around(one.line.end(), other.line.start(), direction, self.junction.at, self.side);
+        let line = self.is_round().then(around).flatten();
+        let turn = || turn(one.line.end(), one.line.direction(end), other.line.start(), other.line.direction(start));
+        let line = line.or_else(turn);
         // Lanes that meet have a movement as well, of the smallest length.
         let line = line.or_else(|| {
             let at = one.line.end();
@@ -147,7 +151,7 @@ impl Crossroads<'_> {
         let alone = self.is_dead_end(from);
         let open = |arm: &usize| {
             let banned = self.banned(arms[from].road, arms[*arm].road).any(users);
-            !banned && (*arm != from || alone) && !self.ways(&arms[*arm], false, users).is_empty()
+            !banned && (*arm != from || alone || self.is_round()) && !self.ways(&arms[*arm], false, users).is_empty()
         };
         let target = |arm: usize| {
             let (cosine, sine) = (came.dot(&arms[arm].away), came.perp(&arms[arm].away));
@@ -161,7 +165,12 @@ impl Crossroads<'_> {
         };
         let mut targets: Vec<Target> = (0..arms.len()).filter(open).map(target).collect();
         targets.sort_by(|a, b| b.leftward.total_cmp(&a.leftward).then(a.arm.cmp(&b.arm)));
-        straighten(targets, self.used_arms(users) == 2)
+        if self.is_round() { targets } else { straighten(targets, self.used_arms(users) == 2) }
+    }
+
+    /// Whether one goes around the middle, also to turn back.
+    fn is_round(&self) -> bool {
+        self.junction.draft.control == crate::Control::MiniRoundabout
     }
 
     /// The number of arms that some users come in or go out by.

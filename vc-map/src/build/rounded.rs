@@ -23,6 +23,7 @@ pub(super) fn rounded(draft: &mut MapDraft) {
     draft.junctions.iter_mut().flat_map(|junction| &mut junction.at).for_each(round);
     for road in &mut draft.roads {
         ring(&mut road.line);
+        road.line.shrink_to_fit();
         round(&mut road.section.median);
         for strip in road.section.forward.iter_mut().chain(&mut road.section.backward) {
             [&mut strip.width, &mut strip.limit].into_iter().for_each(round);

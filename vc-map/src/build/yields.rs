@@ -3,16 +3,17 @@
 use std::cmp::Ordering;
 
 use super::budget::Budget;
+use super::roundabout;
 use crate::parts::{Junction, Lane, Movement, Road, Turn};
-use crate::{DrivingSide, JunctionId, MapDraft, MapError};
+use crate::{Control, DrivingSide, JunctionId, MapDraft, MapError};
 
 /// Those who come from directions with a product beyond these come towards each other, or side by side: the cosines of 135
 /// degrees and of 17.
 const ONCOMING: f64 = -0.7;
 const BESIDE: f64 = 0.955;
 
-/// Fills in to whom each movement gives way: to who conflicts and comes along a roundabout, from rails, from a road of a
-/// higher class, or from one that is no slip road. Among equals those who turn give way to oncoming traffic, and all others to
+/// Fills in to whom each movement gives way: to who conflicts and has no sign, comes along a roundabout, from rails, from a
+/// road of a higher class, or from one that is no slip road; at a mini-roundabout to who goes around it. Among equals those who turn give way to oncoming traffic, and all others to
 /// whom comes from the right.
 pub(super) fn yields(
     draft: &MapDraft,
@@ -28,7 +29,8 @@ pub(super) fn yields(
         let count = junction.movements.len();
         for position in 0..count {
             let goes_first = |other: &usize| {
-                let before = || rule.order(&movements[own(*other)], &movements[own(position)]) == Ordering::Less;
+                let [one, two] = [*other, position].map(|position| &movements[own(position)]);
+                let before = || rule.order(junction, one, two) == Ordering::Less;
                 junction.conflicts.has(position, *other) && before()
             };
             let to: Vec<u32> = (0..count).filter(goes_first).map(|other| other as u32).collect();
@@ -46,8 +48,11 @@ struct Rule<'a> {
 }
 
 impl Rule<'_> {
-    /// The order in which two movements go.
-    fn order(&self, one: &Movement, other: &Movement) -> Ordering {
+    /// The order in which two movements of a junction go.
+    fn order(&self, junction: &Junction, one: &Movement, other: &Movement) -> Ordering {
+        if junction.draft.control == Control::MiniRoundabout {
+            return roundabout::order(one, other, junction.at, self.side);
+        }
         let [mine, theirs] = [one, other].map(|movement| movement.line.direction(0.0));
         let product = mine.dot(&theirs);
         let from_right = theirs.perp(&mine);
@@ -62,10 +67,11 @@ impl Rule<'_> {
     }
 
     /// How important the road is from which a movement comes.
-    fn rank(&self, movement: &Movement) -> (bool, u8, bool) {
-        let road = &self.roads[self.lanes[movement.from.index()].road.index()].draft;
+    fn rank(&self, movement: &Movement) -> (bool, bool, u8, bool) {
+        let lane = &self.lanes[movement.from.index()];
+        let road = &self.roads[lane.road.index()].draft;
         let class = if road.class.is_rail() { u8::MAX } else { road.class.rank() };
-        (road.roundabout, class, !road.slip)
+        (lane.sign.is_none(), road.roundabout, class, !road.slip)
     }
 
     fn key(&self, turn: Turn) -> u8 {

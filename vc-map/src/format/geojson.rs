@@ -51,10 +51,13 @@ fn lanes<'a>(map: &'a StreetMap, frame: &'a Frame) -> impl Iterator<Item = Value
     map.lanes().iter().enumerate().filter_map(move |(id, lane)| {
         let road = &map.road(lane.road)?.draft;
         let users: Vec<_> = lane.users.words().collect();
-        let properties = json!({
+        let mut properties = json!({
             "kind": "lane", "id": id, "road": lane.road, "class": road.class, "name": road.name, "strip": lane.kind,
             "users": users, "width": lane.width, "limit": lane.limit, "layer": road.layer, "source": road.source,
         });
+        if let Some(sign) = lane.sign {
+            properties["sign"] = json!(sign);
+        }
         Some(feature("LineString", line(frame, lane.line.points()), properties))
     })
 }

@@ -9,8 +9,10 @@ use super::words::Full;
 /// The largest header and the largest block, unpacked, as the format has them, bytes.
 const HEADER: usize = 64 << 10;
 const BLOCK: usize = 32 << 20;
-/// A block unpacks to at most this many times its bytes; real ones two or three times.
+/// A block unpacks to at most this many times its bytes, real ones to two or three times, and this many bytes more: small
+/// blocks of tags that repeat unpack to more.
 const UNPACKED: usize = 6;
+const SMALL: usize = 512 << 10;
 /// A block has at most one word for so many of its bytes, and this many words more.
 const WORD: usize = 8;
 const WORDS: usize = 4 << 10;
@@ -43,7 +45,7 @@ pub(super) fn unpacked(blob: &[u8]) -> Result<Cow<'_, [u8]>, &'static str> {
             (1, Content::Bytes(raw)) if raw.len() > BLOCK => return Err("a block is larger than the format has them"),
             (1, Content::Bytes(raw)) => return Ok(Cow::Borrowed(raw)),
             (3, Content::Bytes(packed)) => {
-                let most = (UNPACKED * packed.len() + 4096).min(BLOCK);
+                let most = (UNPACKED * packed.len() + SMALL).min(BLOCK);
                 let unpacked = miniz_oxide::inflate::decompress_to_vec_zlib_with_limit(packed, most);
                 let wrong = "a block is not packed by zlib, or unpacks to far more than one of a map";
                 return unpacked.map(Cow::Owned).map_err(|_| wrong);

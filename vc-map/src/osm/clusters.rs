@@ -89,7 +89,8 @@ fn joins(network: &Network<'_>, piece: &Piece, apart: &BTreeSet<u32>) -> bool {
     let real = |node: u32| degree(network, node) > 2;
     let marks = |node: u32| network.marks.get(&node).copied().unwrap_or_default();
     let lights = |node: u32| marks(node).signals || marks(node).crossing == Some(CrossingKind::Signals);
-    let rounds = |node: u32| network.streets_at(node).any(|(_, piece)| network.street(piece).roundabout);
+    let ring = |node: u32| network.streets_at(node).any(|(_, piece)| network.street(piece).roundabout);
+    let rounds = |node: u32| marks(node).round || ring(node);
     if rounds(one) || rounds(other) || street.class == RoadClass::Motorway {
         return false;
     }

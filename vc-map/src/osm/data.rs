@@ -87,6 +87,8 @@ pub struct OsmData {
     words: Words,
     /// How far all of these may still grow.
     pub(super) room: Room,
+    /// The bytes of the file.
+    pub(super) size: usize,
 }
 
 /// The lists of elements that are being read.
@@ -98,6 +100,11 @@ pub(super) struct Open {
 }
 
 impl OsmData {
+    /// Nothing yet of a file of some bytes.
+    pub(super) fn of_file(size: usize, room: Room) -> Self {
+        Self { size, room, ..Self::default() }
+    }
+
     /// The number of nodes, ways and relations.
     pub fn counts(&self) -> [usize; 3] {
         [self.nodes.len(), self.ways.len(), self.relations.len()]
@@ -116,9 +123,9 @@ impl OsmData {
         Open { refs: self.refs.len(), members: self.members.len(), tags: self.tags.len() }
     }
 
-    /// The number of a word, by which tags and roles name it.
+    /// The number of a word, by which tags and roles name it. Its end is cut off if it is longer than any should be.
     pub(super) fn number(&mut self, word: &str) -> Result<u32, Full> {
-        self.words.number(word, &mut self.room)
+        self.words.number(cut(word), &mut self.room)
     }
 
     pub(super) fn word(&self, number: u32) -> &str {
@@ -186,6 +193,15 @@ impl OsmData {
     pub(super) fn role(&self, member: Member) -> &str {
         self.words.word(member.role)
     }
+}
+
+/// The longest word, bytes. The database takes 255 characters.
+const LONGEST: usize = 255;
+
+fn cut(word: &str) -> &str {
+    let fits = |end: &usize| word.is_char_boundary(*end);
+    let end = (0..=LONGEST.min(word.len())).rev().find(fits).unwrap_or(0);
+    &word[..end]
 }
 
 fn once<T>(

@@ -4,7 +4,9 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::clusters::Clusters;
 use super::network::{Network, Piece};
+use super::words::{Full, Room};
 use super::{Element, Guessed, ImportReport, Reason};
+use crate::size::Holds;
 use crate::{
     Control, CrossingDraft, JunctionDraft, JunctionId, MapDraft, Point, RoadClass, RoadDraft, RoadId, TurnBan, Users,
 };
@@ -17,24 +19,29 @@ pub(super) fn emit(
     clusters: &Clusters,
     lit: &BTreeSet<u32>,
     draft: &mut MapDraft,
+    room: &mut Room,
     report: &mut ImportReport,
-) {
+) -> Result<(), Full> {
     let mut emitter = Emitter { network, clusters, ids: BTreeMap::new(), draft, roads: BTreeMap::new() };
     for (_, piece) in network.all() {
+        let before = emitter.draft.roads.len();
         emitter.road(piece, lit, report);
+        room.take(emitter.draft.roads[before..].iter().map(Holds::bytes).sum())?;
     }
     emitter.crossings();
     emitter.barriers(report);
+    emitter.signs(report);
     emitter.edges(report);
+    Ok(())
 }
 
-struct Emitter<'a> {
-    network: &'a Network<'a>,
-    clusters: &'a Clusters,
-    ids: BTreeMap<u32, JunctionId>,
-    draft: &'a mut MapDraft,
+pub(super) struct Emitter<'a> {
+    pub(super) network: &'a Network<'a>,
+    pub(super) clusters: &'a Clusters,
+    pub(super) ids: BTreeMap<u32, JunctionId>,
+    pub(super) draft: &'a mut MapDraft,
     /// The roads that begin or end at each node.
-    roads: BTreeMap<u32, Vec<RoadId>>,
+    pub(super) roads: BTreeMap<u32, Vec<RoadId>>,
 }
 
 impl Emitter<'_> {
@@ -50,10 +57,11 @@ impl Emitter<'_> {
         let of = if main.is_empty() { &members } else { &main };
         let sum: nalgebra::Vector2<f64> = of.iter().map(|node| self.network.point(*node).coords).sum();
         let at = Point::from(sum / of.len() as f64);
-        let all_stop = members.iter().any(|node| self.network.marks.get(node).is_some_and(|marks| marks.all_stop));
+        let mut marks = members.iter().filter_map(|node| self.network.marks.get(node));
         let control = match () {
             () if lit.contains(&head) => Control::Signals,
-            () if all_stop => Control::AllWayStop,
+            () if marks.clone().any(|marks| marks.round) => Control::MiniRoundabout,
+            () if marks.any(|marks| marks.all_stop) => Control::AllWayStop,
             () => Control::Priority,
         };
         let source: Vec<i64> = members.iter().map(|node| self.network.source.nodes[*node as usize].id).collect();
@@ -166,7 +174,7 @@ impl Emitter<'_> {
     }
 
     /// The distance of a road from a point, metres.
-    fn away(&self, road: RoadId, point: &Point) -> f64 {
+    pub(super) fn away(&self, road: RoadId, point: &Point) -> f64 {
         let line = crate::Polyline::new(self.draft.roads[road.index()].line.iter().copied());
         line.map_or(f64::INFINITY, |line| (line.project(point).point - point).norm())
     }

@@ -47,6 +47,12 @@ pub enum OsmError {
     /// The file is too large.
     #[error("the file has {0} bytes, at most {most} are read: cut out a part, for example with osmium", most = super::LARGEST)]
     TooLarge(usize),
+    /// The description of the map would take far more memory than the file, as no file of a real place does.
+    #[error("the roads take more than {most} bytes, far more than the file: cut out a part, or give it as XML")]
+    TooMuch {
+        /// The bytes that they may take.
+        most: usize,
+    },
     /// The file has no node at which a way could be.
     #[error("the file has no ways with nodes: there is nothing to make a map of")]
     Empty,

@@ -1,8 +1,9 @@
 //! The facts that nodes of streets tell: lights, crossings, stop signs.
 
 use super::network::{Network, Part};
+use super::street::access;
 use super::tags::Tags;
-use crate::{CrossingKind, Users};
+use crate::{CrossingKind, SignKind, Users};
 
 /// The facts that a node of a street tells.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -14,8 +15,14 @@ pub(super) struct Marks {
     /// A crossing.
     pub(super) crossing: Option<CrossingKind>,
     pub(super) island: bool,
+    /// A sign by which one gives way.
+    pub(super) sign: Option<SignKind>,
+    /// Whether it is for those only who come along the road, or against it.
+    pub(super) sign_along: Option<bool>,
     /// A junction at which everybody stops.
     pub(super) all_stop: bool,
+    /// A junction that is gone around.
+    pub(super) round: bool,
     /// The vehicles that something stands in the way of.
     pub(super) closed: Users,
 }
@@ -32,8 +39,8 @@ impl Network<'_> {
         let source = self.source;
         for part in parts {
             let street = &self.streets[part.street];
-            let tags = source.way(part.way).map(|way| source.way_tags(way));
-            let along = tags.filter(|tags| tags.is("footway", "crossing"));
+            let way = source.way(part.way).map(|way| source.way_tags(way));
+            let along = way.filter(|tags| tags.is("footway", "crossing"));
             let along_kind = along.and_then(|tags| crossing(tags, true));
             for node in &part.nodes {
                 let tags = source.node_tags(&source.nodes[*node as usize]);
@@ -43,6 +50,7 @@ impl Network<'_> {
                 let marks = self.marks.entry(*node).or_default();
                 if street.class.is_street() {
                     vehicles(marks, tags, street.reversed);
+                    marks.closed = marks.closed | barrier(tags, way);
                 }
                 marks.crossing = [marks.crossing, crossing(tags, false), along_kind].into_iter().flatten().min();
                 marks.island |= tags.is("crossing:island", "yes");
@@ -54,32 +62,55 @@ impl Network<'_> {
 /// The facts for vehicles of a node.
 fn vehicles(marks: &mut Marks, tags: Tags<'_>, reversed: bool) {
     if tags.is("highway", "traffic_signals") {
-        let told = tags.read("traffic_signals:direction", |word| match word {
-            "forward" => Some(Some(!reversed)),
-            "backward" => Some(Some(reversed)),
-            "both" => Some(None),
-            _ => None,
-        });
-        let told = told.flatten();
+        let told = along(tags, "traffic_signals:direction", reversed);
         // Ways of different directions may meet at a signal.
         marks.forward_only = if marks.signals && marks.forward_only != told { None } else { told };
         marks.signals = true;
     }
+    let sign = tags.read("highway", |word| match word {
+        "give_way" => Some(SignKind::GiveWay),
+        "stop" => Some(SignKind::Stop),
+        _ => None,
+    });
+    if sign.is_some() {
+        let told = along(tags, "direction", reversed);
+        marks.sign_along = if marks.sign.is_some() && marks.sign_along != told { None } else { told };
+        marks.sign = sign;
+    }
     marks.all_stop |= tags.is("stop", "all");
-    marks.closed = marks.closed | barrier(tags);
+    marks.round |= tags.is("highway", "mini_roundabout");
 }
 
-/// The vehicles that a barrier stops: bollards and their like those with more than two wheels, gates that nobody opens all of them.
-/// Other gates are opened by those who have something to do behind them.
-fn barrier(tags: Tags<'_>) -> Users {
+/// Whether a sign or signal is for those who come along a road, or against it; `None` for both.
+fn along(tags: Tags<'_>, key: &str, reversed: bool) -> Option<bool> {
+    let told = tags.read(key, |word| match word {
+        "forward" => Some(Some(!reversed)),
+        "backward" => Some(Some(reversed)),
+        "both" => Some(None),
+        _ => None,
+    });
+    told.flatten()
+}
+
+/// Gates and their like.
+const GATES: &str = "gate|lift_gate|swing_gate|sliding_gate|wicket_gate";
+
+/// The vehicles that a barrier stops: gates and bollards those with more than two wheels, if no key of access lets them in, be it one
+/// of the way that a gate stands on; gates that nobody opens all vehicles.
+fn barrier(tags: Tags<'_>, way: Option<Tags<'_>>) -> Users {
     let motor = Users::CAR | Users::BUS;
     if tags.is("barrier", "bollard|block|cycle_barrier|motorcycle_barrier|jersey_barrier|planter") {
         let opens = ["motorcar", "motor_vehicle", "vehicle", "access"].iter().any(|key| tags.yes(key));
         return if opens { Users::NONE } else { motor };
     }
-    let shut = tags.has("barrier") && (tags.is("locked", "yes") || tags.is("access", "no"));
-    if !(shut && tags.is("barrier", "gate|lift_gate|swing_gate|sliding_gate|wicket_gate")) {
+    if !tags.is("barrier", GATES) {
         return Users::NONE;
+    }
+    if !(tags.yes("locked") || tags.is("access", "no")) {
+        let keys = ["motorcar", "motor_vehicle", "vehicle", "access"];
+        let said = |tags: Tags<'_>| keys.iter().find_map(|key| tags.read(key, access));
+        let opens = said(tags).or_else(|| said(way?)).unwrap_or(false);
+        return if opens { Users::NONE } else { motor };
     }
     let opens = |keys: &[&str]| keys.iter().any(|key| tags.is(key, "yes|designated|permissive"));
     let cars = if opens(&["motorcar", "motor_vehicle", "vehicle"]) { motor } else { Users::NONE };

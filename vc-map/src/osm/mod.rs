@@ -8,6 +8,8 @@
 //! | pavements | on both sides of primary to residential streets, where no footway accompanies them: 4, 3 or 2.4 m wide |
 //! | paths | 2 m wide, streets for people on foot 5 m |
 //! | buildings | three storeys of 3.1 m; a door on the wall nearest to a way |
+//! | direction of a sign | for those who come to the nearest junction, within 60 m |
+//! | who passes a gate | those with two wheels and people; cars where the gate or its way lets them in by a key of access |
 //!
 //! ```
 //! use vc_map::osm::{ImportOptions, OsmData};
@@ -43,6 +45,7 @@ mod restrictions;
 mod rings;
 mod side;
 mod signals;
+mod signs;
 mod street;
 mod tags;
 mod units;
@@ -55,7 +58,12 @@ pub use error::OsmError;
 pub use report::{Guessed, ImportReport, Reason};
 
 use self::tags::Source;
+use self::words::{Full, Room};
 use crate::{DrivingSide, MapDraft};
+
+/// The roads of a description and the tags that are told may take this many bytes, and this many for each byte of the file.
+const LEAST_BYTES: usize = 8 << 20;
+const OF_DESCRIPTION: usize = 8;
 
 /// The largest file that is read, bytes.
 pub const LARGEST: usize = 1 << 30;
@@ -85,9 +93,11 @@ impl OsmData {
     /// the data; the same data gives the same map.
     ///
     /// # Errors
-    /// [`OsmError::Empty`] if no way has nodes.
+    /// [`OsmError::Empty`] if no way has nodes, [`OsmError::TooMuch`] if the description would take far more memory than the file.
     pub fn draft(&self, options: &ImportOptions) -> Result<(MapDraft, ImportReport), OsmError> {
-        let mut report = ImportReport::default();
+        let most = OF_DESCRIPTION.saturating_mul(self.size).saturating_add(LEAST_BYTES);
+        let (mut report, mut room) = (ImportReport::default(), Room(most));
+        let too_much = |Full| OsmError::TooMuch { most };
         let mut source = Source::new(self);
         let frame = source.frame().ok_or(OsmError::Empty)?;
         source.lay_out(&frame);
@@ -96,10 +106,10 @@ impl OsmData {
         draft.side = side;
         let mut network = network::Network::new(&source, side, &mut report);
         let (clusters, signals) = signals::signals(&mut network, &mut report);
-        emit::emit(&network, &clusters, &signals, &mut draft, &mut report);
+        emit::emit(&network, &clusters, &signals, &mut draft, &mut room, &mut report).map_err(too_much)?;
         restrictions::bans(&network, &mut draft, &mut report);
         places::places(&source, &mut draft, &mut report);
-        report.close(&source);
+        report.close(&source, &mut room).map_err(too_much)?;
         Ok((draft, report))
     }
 }

@@ -3,11 +3,11 @@
 use super::block::{Block, block, unpacked};
 use super::data::{Element, OsmData};
 use super::wire::{Content, Fields, numbers, summed, unfolded};
-use super::words::Full;
+use super::words::{Full, Room};
 use super::{LARGEST, OsmError, is_on_earth};
 
 /// The data takes at most this many times the bytes that were read, and this many bytes more.
-const DENSE: usize = 10;
+const DENSE: usize = 12;
 const SPARE: usize = 256 << 10;
 /// Features of the format that are read.
 const FEATURES: [&[u8]; 2] = [b"OsmSchema-V0.6", b"DenseNodes"];
@@ -43,7 +43,7 @@ impl OsmData {
         if file.len() > LARGEST {
             return Err(OsmError::TooLarge(file.len()));
         }
-        let mut data = Self::default();
+        let mut data = Self::of_file(file.len(), Room::default());
         let (mut at, mut begun) = (0, false);
         while at < file.len() {
             let wrong = |why| OsmError::Pbf { byte: at, why };

@@ -5,6 +5,7 @@ use std::fmt;
 
 use super::Element;
 use super::tags::{Source, Tags, Use};
+use super::words::{Full, Room};
 use crate::DrivingSide;
 
 /// A value that a file does not have and that a rule gave.
@@ -105,8 +106,10 @@ pub enum Reason {
     AtTimes,
     /// A restriction of turns for users whom the map does not know.
     OtherUsers,
-    /// A signal with no junction ahead.
+    /// A signal or sign with no junction ahead.
     NoJunction,
+    /// A sign on a junction of equal streets, or on one that nobody comes to.
+    NoArm,
     /// The map has no use for it.
     NoUse,
     /// More ways meet at its end than a junction takes.
@@ -133,7 +136,8 @@ impl fmt::Display for Reason {
             Self::NoSuchTurn => "no turn fits",
             Self::AtTimes => "holds at some times only",
             Self::OtherUsers => "for users whom the map does not know",
-            Self::NoJunction => "a signal with no junction ahead",
+            Self::NoJunction => "a signal or sign with no junction ahead",
+            Self::NoArm => "a sign on a junction of equal streets: nobody knows for whom",
             Self::NoUse => "no use for it",
             Self::TooManyMeet => "too many ways meet",
             Self::Repeated => "another element has its number",
@@ -188,7 +192,7 @@ impl ImportReport {
     }
 
     /// Sorts the account, and lists every element and tag that nobody had a use for.
-    pub(super) fn close(&mut self, source: &Source<'_>) {
+    pub(super) fn close(&mut self, source: &Source<'_>, room: &mut Room) -> Result<(), Full> {
         source.repeated.iter().for_each(|element| self.drop(*element, Reason::Repeated));
         self.dropped.sort();
         self.dropped.dedup();
@@ -199,23 +203,29 @@ impl ImportReport {
         let mut lost = Vec::new();
         for (element, tags) in nodes.chain(ways).chain(relations).filter(|(_, tags)| !tags.is_empty()) {
             if source.is_kept(element) {
-                self.unused(element, tags);
+                self.unused(element, tags, room)?;
             } else if self.dropped.binary_search_by_key(&element, |(dropped, _)| *dropped).is_err() {
                 lost.push((element, Reason::NoUse));
             }
         }
         self.dropped.extend(lost);
         self.dropped.sort();
+        Ok(())
     }
 
-    fn unused(&mut self, element: Element, tags: Tags<'_>) {
+    fn unused(&mut self, element: Element, tags: Tags<'_>, room: &mut Room) -> Result<(), Full> {
         for (key, value, made) in tags.uses() {
             match made {
                 Use::Unread => *self.unread.entry(key.to_owned()).or_default() += 1,
-                Use::Asked => self.ignored.push((element, format!("{key}={value}"))),
+                Use::Asked => {
+                    let tag = format!("{key}={value}");
+                    room.take(size_of::<(Element, String)>() + tag.len())?;
+                    self.ignored.push((element, tag));
+                }
                 Use::Used => {}
             }
         }
+        Ok(())
     }
 }
 

@@ -7,8 +7,8 @@ use super::network::{Network, Piece};
 use super::{Element, Guessed, ImportReport, Reason};
 use crate::CrossingKind;
 
-/// A signal rules the junction at most this far ahead, metres.
-const AHEAD: f64 = 60.0;
+/// A signal or sign rules the junction at most this far ahead, metres.
+pub(super) const AHEAD: f64 = 60.0;
 /// The lights of a crossing are those of a junction with lights at most this far away, metres.
 const AWAY: f64 = 45.0;
 /// Junctions are looked for among so many nodes, the nearest.
@@ -119,8 +119,8 @@ fn vehicles(network: &Network<'_>, clusters: &Clusters, report: &mut ImportRepor
     lit
 }
 
-/// The nearest junction ahead of a signal, along the directions in which one drives there.
-fn ahead(network: &Network<'_>, clusters: &Clusters, node: u32, forward_only: Option<bool>) -> Option<u32> {
+/// The nearest junction ahead of a signal or sign, along the directions in which one drives there.
+pub(super) fn ahead(network: &Network<'_>, clusters: &Clusters, node: u32, forward_only: Option<bool>) -> Option<u32> {
     let drives = |piece: &Piece, forward: bool| {
         network.drives(piece, forward) && forward_only.is_none_or(|only| only == forward)
     };
@@ -145,15 +145,15 @@ fn lit_by_crossings(network: &Network<'_>, clusters: &Clusters, crossings: &BTre
 }
 
 /// A junction that was found along streets.
-struct Found {
-    node: u32,
+pub(super) struct Found {
+    pub(super) node: u32,
     /// The piece by which one comes to it.
     piece: usize,
-    length: f64,
+    pub(super) length: f64,
 }
 
 /// The junction nearest to a node within a distance, along pieces that may be followed in a direction.
-fn nearest(
+pub(super) fn nearest(
     network: &Network<'_>,
     clusters: &Clusters,
     node: u32,

@@ -66,7 +66,7 @@ fn highway(value: &str) -> Result<(RoadClass, bool), Reason> {
 }
 
 /// Whether a value of a key of access lets people in.
-fn access(value: &str) -> Option<bool> {
+pub(super) fn access(value: &str) -> Option<bool> {
     match value {
         "no"
         | "agricultural"

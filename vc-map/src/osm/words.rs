@@ -11,7 +11,7 @@ pub(super) struct Full;
 pub(super) struct Room(pub(super) usize);
 
 impl Room {
-    fn take(&mut self, bytes: usize) -> Result<(), Full> {
+    pub(super) fn take(&mut self, bytes: usize) -> Result<(), Full> {
         self.0 = self.0.checked_sub(bytes).ok_or(Full)?;
         Ok(())
     }

@@ -49,8 +49,7 @@ impl OsmData {
             return Err(OsmError::TooLarge(file.len()));
         }
         // An element of XML is longer than what is kept of it.
-        let mut data = Self::default();
-        data.room = Room(usize::MAX);
+        let data = Self::of_file(file.len(), Room(usize::MAX));
         let mut reader = XmlReader { file, xml: Reader::from_reader(file), data, current: None, depth: 0 };
         reader.root()?;
         reader.all()?;

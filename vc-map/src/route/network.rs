@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::graph::{Cost, Graph};
 use super::{Leg, Mode, Route};
 use crate::parts::{Lane, Movement};
-use crate::{Control, CrossingKind, Light, Point, Polyline, RoadId, StreetMap, Users, WalkEdgeId, WalkKind};
+use crate::{Control, CrossingKind, Light, Point, Polyline, RoadId, SignKind, StreetMap, Users, WalkEdgeId, WalkKind};
 
 /// Speeds on foot and by bicycle, metres per second.
 const WALKING: f64 = 1.34;
@@ -103,9 +103,10 @@ fn entering(from: &Side, to: &Side) -> f64 {
 fn waiting(map: &StreetMap, movement: &Movement, row: usize) -> f64 {
     let junction = map.junction(movement.junction);
     let red = half_red(map, movement.junction, row);
-    let all_stop = junction.is_some_and(|junction| junction.draft.control == Control::AllWayStop);
+    let sign = map.lane(movement.from).is_some_and(|lane| lane.sign == Some(SignKind::Stop));
+    let stop = sign || junction.is_some_and(|junction| junction.draft.control == Control::AllWayStop);
     let turning = if movement.turn.crosses_divider(map.side()) { TURNING } else { 0.0 };
-    red + turning + if all_stop { CROSSING } else { 0.0 }
+    red + turning + if stop { CROSSING } else { 0.0 }
 }
 
 /// Half the time for which a row of a signal has red.

@@ -51,12 +51,12 @@ fn every_value_that_a_rule_gave_is_listed() {
 #[test]
 fn each_tag_and_each_element_is_in_the_map_or_in_the_account() {
     let nodes = [
-        (1, 0.0, 0.0, "highway=mini_roundabout"),
-        (2, 1.0, 0.0, "barrier=gate"),
-        (3, 0.0, 1.0, "highway=give_way direction=forward"),
+        (1, 0.0, 0.0, "highway=turning_circle"),
+        (2, 1.0, 0.0, "barrier=height_restrictor"),
+        (3, 0.0, 1.0, "highway=milestone"),
         (4, -1.0, 0.0, "natural=tree"),
         (5, 0.0, -1.0, "highway=crossing crossing=zebra tactile_paving=yes"),
-        (6, 0.5, 0.0, "highway=stop"),
+        (6, 0.5, 0.0, "emergency=phone"),
         (7, 9.0, 9.0, "shop=bakery"),
     ];
     let ways: [(i64, &[i64], &str); 4] = [
@@ -68,9 +68,9 @@ fn each_tag_and_each_element_is_in_the_map_or_in_the_account() {
     let relation = r#"<relation id="5"><member type="way" ref="8" role=""/><tag k="type" v="route"/></relation>"#;
     let (_, report) = import(&file(&nodes, &ways, relation));
     for (element, tag) in [
-        (Element::Node(1), "highway=mini_roundabout"),
-        (Element::Node(2), "barrier=gate"),
-        (Element::Node(3), "highway=give_way"),
+        (Element::Node(1), "highway=turning_circle"),
+        (Element::Node(2), "barrier=height_restrictor"),
+        (Element::Node(3), "highway=milestone"),
         (Element::Way(10), "building:levels=two"),
     ] {
         assert!(ignored(&report, element, tag), "{tag}: {report}");

@@ -139,7 +139,7 @@ fn files_of_long_lines_under_many_lanes_are_refused_at_twenty_times_their_size()
         vec![lane; 32].join(",")
     );
     let error = native::read(&file).unwrap_err().to_string();
-    let most = (16 << 20) + 20 * file.len();
+    let most = (16 << 20) + 18 * file.len();
     assert!(error.starts_with(&format!("with road 0 the map takes more than {most} bytes")), "{error}");
 }
 

@@ -18,5 +18,7 @@ mod readers;
 mod real;
 mod right_of_way;
 mod routes;
+mod signs;
 mod town;
+mod whole;
 mod world;

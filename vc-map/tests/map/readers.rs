@@ -59,7 +59,7 @@ const WAYS: [&str; 20] = [
     "highway=pedestrian area=yes",
     "building=yes",
 ];
-const MARKS: [&str; 10] = [
+const MARKS: [&str; 14] = [
     "",
     "highway=traffic_signals",
     "highway=traffic_signals traffic_signals:direction=backward",
@@ -67,6 +67,10 @@ const MARKS: [&str; 10] = [
     "highway=crossing crossing=traffic_signals",
     "highway=crossing crossing=zebra",
     "highway=stop stop=all",
+    "highway=stop direction=backward",
+    "highway=give_way",
+    "highway=mini_roundabout",
+    "barrier=gate",
     "entrance=main",
     "barrier=bollard",
     "highway=bus_stop",
@@ -82,7 +86,7 @@ fn survives(file: &[u8]) {
     assert!(bytes <= bound(file), "{bytes} for {}", file.len());
     let Ok(data) = read else { return };
     let Ok((draft, _)) = data.draft(&ImportOptions::default()) else { return };
-    if let Ok(map) = draft.build() {
+    if let Ok(map) = draft.build_of_file(file.len()) {
         map.validate();
         assert!(native::read(&native::write(&map)).unwrap() == map);
     }

@@ -12,7 +12,12 @@ use vc_testkit::cases;
 use crate::town::{crossroads, street};
 
 /// A junction with arms at some angles in degrees, each a road of 120 m towards the middle.
-fn star(control: Control, side: DrivingSide, arms: &[(f64, RoadClass, bool)], lanes: usize) -> (MapDraft, JunctionId) {
+pub(crate) fn star(
+    control: Control,
+    side: DrivingSide,
+    arms: &[(f64, RoadClass, bool)],
+    lanes: usize,
+) -> (MapDraft, JunctionId) {
     let mut draft = MapDraft::new("star", 48.0, 11.0);
     draft.side = side;
     let middle = draft.junction([0.0, 0.0], control);

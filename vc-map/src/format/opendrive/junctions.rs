@@ -5,7 +5,7 @@ use std::fmt::Display;
 use super::roads::lane_number;
 use super::{Fixed, connecting_number, plan_view, road_number};
 use crate::format::xml::Xml;
-use crate::parts::{Lane, Movement};
+use crate::parts::{Junction, Lane, Movement};
 use crate::{DrivingSide, MovementId, StreetMap, Users};
 
 /// The contact point of a road at an end of one of its lanes.
@@ -76,6 +76,18 @@ fn only_lane(map: &StreetMap, xml: &mut Xml, movement: &Movement, name: &'static
     xml.close();
 }
 
+/// Who goes before whom, by their connecting roads, where no lights rule.
+fn priorities(map: &StreetMap, xml: &mut Xml, junction: &Junction) {
+    let own = |id: &&MovementId| map.movement(**id).is_some();
+    for id in junction.movements.iter().filter(own).filter(|_| junction.signal.is_none()) {
+        let first = map.movement(*id).into_iter().flat_map(|movement| &movement.yields);
+        for high in first.filter_map(|position| junction.movements.get(*position as usize)) {
+            let [high, low] = [*high, *id].map(|id| connecting_number(map, id));
+            xml.tag("priority", &[("high", &high), ("low", &low)]);
+        }
+    }
+}
+
 /// The number of the lane of a connecting road.
 fn own_lane(map: &StreetMap) -> i64 {
     if map.side() == DrivingSide::Right { -1 } else { 1 }
@@ -110,6 +122,7 @@ pub(super) fn junctions(map: &StreetMap, xml: &mut Xml) {
             xml.tag("laneLink", &[("from", &lane_number(map, from)), ("to", &own_lane(map))]);
             xml.close();
         }
+        priorities(map, xml, junction);
         if let Some(signal) = junction.signal {
             xml.tag("controller", &[("id", &(signal.index() + 1)), ("type", &"0"), ("sequence", &0)]);
         }

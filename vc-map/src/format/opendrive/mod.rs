@@ -1,7 +1,7 @@
 //! OpenDRIVE 1.7 (ASAM): roads with lanes, junctions with connecting roads, signals.
 //!
 //! Centre lines are straight pieces, as they are in the map. A road's number is its own plus one; the movements of junctions
-//! are the roads that follow, and junctions are numbered on their own. Lost are yields, phases, lights of people, layers (all
+//! are the roads that follow, and junctions are numbered on their own. Lost are phases, lights of people, layers (all
 //! is flat), the walkable network but for pavements and crossings, bays, stops, buildings and areas.
 
 mod junctions;

@@ -6,7 +6,9 @@ use std::fmt::Display;
 use super::{Fine, Fixed, plan_view, road_number};
 use crate::format::xml::Xml;
 use crate::parts::{Lane, Road};
-use crate::{CrossSection, DrivingSide, LaneId, Polyline, RoadClass, RoadId, StreetMap, Strip, StripKind, Users};
+use crate::{
+    CrossSection, DrivingSide, LaneId, Polyline, RoadClass, RoadId, SignKind, StreetMap, Strip, StripKind, Users,
+};
 
 /// The number of a lane: negative to the right of the reference line. A divider that is a strip is the first lane of each
 /// side.
@@ -164,21 +166,50 @@ fn objects(map: &StreetMap, xml: &mut Xml, id: RoadId, line: &Polyline) {
     xml.close();
 }
 
-/// A signal for each lane that ends at lights.
+/// A signal for each lane that ends at lights, and a sign for each that has one.
 fn signals(map: &StreetMap, xml: &mut Xml, road: &Road, line: &Polyline) {
     let lanes = road.lanes.iter().filter_map(|id| Some((*id, map.lane(*id)?)));
-    let lit: Vec<(LaneId, &Lane)> = lanes.filter(|(_, lane)| map.is_lit(lane)).collect();
-    if lit.is_empty() {
+    let light = |id: LaneId| Post { id: id.0.to_string(), name: format!("signal of lane {}", id.0), ..Post::LIGHT };
+    let sign = |id: LaneId, kind| Post {
+        id: format!("sign{}", id.0),
+        name: format!("sign of lane {}", id.0),
+        kind: if kind == SignKind::Stop { "206" } else { "205" },
+        ..Post::SIGN
+    };
+    let posts: Vec<(Post, &Lane)> = lanes
+        .flat_map(|(id, lane)| {
+            [map.is_lit(lane).then(|| light(id)), lane.sign.map(|kind| sign(id, kind))].map(|post| (post, lane))
+        })
+        .filter_map(|(post, lane)| Some((post?, lane)))
+        .collect();
+    if posts.is_empty() {
         return;
     }
     xml.open("signals", &[]);
-    for (id, lane) in lit {
-        signal(map, xml, line, id, lane);
-    }
+    posts.iter().for_each(|(post, lane)| signal(map, xml, line, post, lane));
     xml.close();
 }
 
-fn signal(map: &StreetMap, xml: &mut Xml, line: &Polyline, id: LaneId, lane: &Lane) {
+/// What stands at the end of a lane: a light or a sign, by its numbers in OpenDRIVE or those of German signs.
+struct Post {
+    id: String,
+    name: String,
+    kind: &'static str,
+    country: &'static str,
+    dynamic: &'static str,
+    height: f64,
+}
+
+impl Post {
+    const LIGHT: Self = Self::new("1000001", "OpenDRIVE", "yes", 5.3);
+    const SIGN: Self = Self::new("205", "DE", "no", 2.0);
+
+    const fn new(kind: &'static str, country: &'static str, dynamic: &'static str, height: f64) -> Self {
+        Self { id: String::new(), name: String::new(), kind, country, dynamic, height }
+    }
+}
+
+fn signal(map: &StreetMap, xml: &mut Xml, line: &Polyline, post: &Post, lane: &Lane) {
     let back = lane.line.length() - lane.stop_line.unwrap_or(lane.line.length());
     let s = if lane.forward { line.length() - back } else { back }.clamp(0.0, line.length());
     let orientation = if lane.forward { "+" } else { "-" };
@@ -187,13 +218,13 @@ fn signal(map: &StreetMap, xml: &mut Xml, line: &Polyline, id: LaneId, lane: &La
     let attributes: [(&str, &dyn Display); 10] = [
         ("s", &Fixed(s)),
         ("t", &t),
-        ("id", &id.0),
-        ("name", &format!("signal of lane {}", id.0)),
-        ("dynamic", &"yes"),
+        ("id", &post.id),
+        ("name", &post.name),
+        ("dynamic", &post.dynamic),
         ("orientation", &orientation),
-        ("zOffset", &Fixed(5.3)),
-        ("country", &"OpenDRIVE"),
-        ("type", &"1000001"),
+        ("zOffset", &Fixed(post.height)),
+        ("country", &post.country),
+        ("type", &post.kind),
         ("subtype", &"-1"),
     ];
     xml.open("signal", &attributes);

@@ -3,11 +3,11 @@
 use std::collections::BTreeSet;
 use std::fmt::Display;
 
-use super::edges::{classes, name, number, side};
+use super::edges::{classes, name, number, points, side};
 use super::{Metres, NodeName};
 use crate::format::xml::Xml;
-use crate::parts::{Movement, RoadCrossing};
-use crate::{CrossingKind, RoadId, StreetMap, Users};
+use crate::parts::{Junction, Movement, RoadCrossing};
+use crate::{Control, CrossingKind, RoadId, StreetMap, Users};
 
 /// On a road shorter than this, metres, no vehicle has room between the two junctions that netconvert makes at its ends: who
 /// kept the first one clear would wait for the second as well, and for ever where their lights take turns.
@@ -50,11 +50,31 @@ pub(super) fn connections(map: &StreetMap) -> String {
             }
         }
     }
+    map.junctions().iter().for_each(|junction| prohibitions(map, &mut xml, junction));
     let on_street = |road: &RoadId| map.road(*road).is_some_and(|road| road.draft.class.is_street());
     // SUMO has no crossings over rails alone: people walk over these in its walking areas.
     let crossings = map.crossings().iter().filter(|crossing| crossing.roads.iter().any(on_street));
     crossings.for_each(|crossing| self::crossing(map, &mut xml, crossing));
     xml.finish()
+}
+
+/// Who gives way to whom where signs or a mini-roundabout tell, since netconvert goes by classes alone.
+fn prohibitions(map: &StreetMap, xml: &mut Xml, junction: &Junction) {
+    if junction.draft.control != Control::MiniRoundabout && super::signs(map, junction).next().is_none() {
+        return;
+    }
+    let own: Vec<&Movement> = junction.movements.iter().filter_map(|id| map.movement(*id)).collect();
+    let way = |movement: &Movement| ends(map, movement).map(|[from, to, ..]| format!("{from}->{to}"));
+    let ways: Vec<Option<String>> = own.iter().map(|movement| way(movement)).collect();
+    let mut told = BTreeSet::new();
+    for (movement, later) in own.iter().zip(&ways) {
+        for first in movement.yields.iter().filter_map(|other| ways.get(*other as usize)) {
+            let (Some(first), Some(later)) = (first, later) else { continue };
+            if told.insert((first, later)) && !told.contains(&(later, first)) {
+                xml.tag("prohibition", &[("prohibitor", first), ("prohibited", later)]);
+            }
+        }
+    }
 }
 
 fn connection(map: &StreetMap, xml: &mut Xml, movement: &Movement) {
@@ -71,6 +91,9 @@ fn connection(map: &StreetMap, xml: &mut Xml, movement: &Movement) {
     if map.lane(movement.to).and_then(|lane| map.road(lane.road)).is_some_and(|road| road.line.length() < ROOM) {
         attributes.push(("keepClear", &false));
     }
+    let round = map.junction(movement.junction).filter(|at| at.draft.control == Control::MiniRoundabout);
+    let shape = round.map(|_| points(&movement.line));
+    attributes.extend(shape.as_ref().map(|shape| ("shape", shape as &dyn Display)));
     xml.tag("connection", &attributes);
 }
 

@@ -5,7 +5,7 @@ use std::fmt::Display;
 use super::{Metres, NodeName};
 use crate::format::xml::Xml;
 use crate::parts::{Lane, Road};
-use crate::{LaneId, RoadId, StreetMap, Users};
+use crate::{LaneId, Polyline, RoadId, StreetMap, Users};
 
 /// The vehicle classes of SUMO for each kind of users, and for cars where only those may go who have something to do there.
 const CLASSES: [(Users, &str); 6] = [
@@ -98,6 +98,11 @@ fn shape(map: &StreetMap, road: &Road, forward: bool) -> String {
     let turned = if forward { 1.0 } else { -1.0 };
     let inner = road.line.offset(-map.side().sign() * turned * (section.median / 2.0 - turned * section.shift()));
     let inner = if forward { inner } else { inner.reversed() };
-    let points: Vec<String> = inner.points().iter().map(|p| format!("{},{}", Metres(p.x), Metres(p.y))).collect();
+    points(&inner)
+}
+
+/// The points of a line.
+pub(super) fn points(line: &Polyline) -> String {
+    let points: Vec<String> = line.points().iter().map(|p| format!("{},{}", Metres(p.x), Metres(p.y))).collect();
     points.join(" ")
 }

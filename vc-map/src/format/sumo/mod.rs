@@ -9,9 +9,11 @@ mod lights;
 
 use std::fmt::Display;
 
+use vc_graph::portable::Portable;
+
 use super::xml::Xml;
 use crate::parts::Junction;
-use crate::{Control, DrivingSide, JunctionId, RoadDraft, StreetMap};
+use crate::{Control, DrivingSide, JunctionId, RoadDraft, SignKind, StreetMap};
 
 /// The files of a network for netconvert.
 ///
@@ -50,7 +52,8 @@ impl SumoFiles {
 }
 
 /// Writes a map for netconvert, into files of a name. Lost are buildings, areas, stops, bays, verges, heights and the lines of
-/// movements: netconvert makes its own, and works out from classes, slip roads and the kind of a junction who gives way.
+/// movements other than those around a mini-roundabout: netconvert makes its own, and works out from classes, slip roads and the
+/// kind of a junction who gives way; where signs or a mini-roundabout tell, it is told.
 /// Private roads are open to vehicles that SUMO calls private and to deliveries, and closed to passenger cars. Costs one pass over
 /// the map; [`SumoFiles`] has an example.
 pub fn write(map: &StreetMap, name: &str) -> SumoFiles {
@@ -71,6 +74,7 @@ fn nodes(map: &StreetMap) -> String {
         let kind = match junction.draft.control {
             Control::Signals if junction.signal.is_some() => "traffic_light",
             Control::AllWayStop => "allway_stop",
+            Control::Priority if stops(map, junction) => "priority_stop",
             Control::Priority if is_equal(map, junction) => "right_before_left",
             _ => "priority",
         };
@@ -80,9 +84,33 @@ fn nodes(map: &StreetMap) -> String {
         if kind == "traffic_light" {
             attributes.push(("tl", &light));
         }
+        let shape = (junction.draft.control == Control::MiniRoundabout).then(|| circle(map, junction));
+        attributes.extend(shape.as_ref().map(|shape| ("shape", shape as &dyn Display)));
         xml.tag("node", &attributes);
     }
     xml.finish()
+}
+
+/// A circle as far around a junction as its nearest arm ends: netconvert makes a junction too small for those who go around.
+fn circle(map: &StreetMap, junction: &Junction) -> String {
+    let roads = junction.arms.iter().filter_map(|arm| Some((arm, map.road(arm.road)?)));
+    let cut = roads.map(|(arm, road)| road.cuts[usize::from(!arm.start)]).fold(f64::INFINITY, f64::min);
+    let corner = |step: u8| {
+        let (sine, cosine) = (f64::from(step) * std::f64::consts::TAU / 16.0).sine_cosine();
+        format!("{},{}", Metres(junction.at.x + cut * cosine), Metres(junction.at.y + cut * sine))
+    };
+    (0..16).map(corner).collect::<Vec<_>>().join(" ")
+}
+
+/// The signs at a junction.
+fn signs<'a>(map: &'a StreetMap, junction: &'a Junction) -> impl Iterator<Item = SignKind> + 'a {
+    let lanes = junction.movements.iter().filter_map(|id| map.lane(map.movement(*id)?.from));
+    lanes.filter_map(|lane| lane.sign)
+}
+
+/// Whether all who have to give way at a junction have to stop.
+fn stops(map: &StreetMap, junction: &Junction) -> bool {
+    signs(map, junction).min() == Some(SignKind::Stop)
 }
 
 /// Whether the streets that meet are equal, so that one gives way to the right. SUMO has the rule for traffic on the right.
@@ -92,7 +120,8 @@ fn is_equal(map: &StreetMap, junction: &Junction) -> bool {
     let equal = |pair: &[&RoadDraft]| {
         (pair[0].class, pair[0].slip, pair[0].roundabout) == (pair[1].class, pair[1].slip, pair[1].roundabout)
     };
-    map.side() == DrivingSide::Right && streets.len() > 2 && streets.windows(2).all(equal)
+    let unsigned = signs(map, junction).next().is_none();
+    unsigned && map.side() == DrivingSide::Right && streets.len() > 2 && streets.windows(2).all(equal)
 }
 
 fn config(map: &StreetMap, name: &str) -> String {
