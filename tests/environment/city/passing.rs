@@ -195,7 +195,7 @@ enum Order {
 
 fn order(stream: &mut virtualcity::graph::Stream) -> Order {
     match stream.below(8) {
-        0..4 => Order::Go([YARD, landing(0), landing(1), landing(2)][stream.below(4) as usize]),
+        0..4 => Order::Go([YARD, landing(0), landing(1), landing(2)][stream.below(4)]),
         4 => Order::Do("wave"),
         5 => Order::Do("dance"),
         6 => Order::Table,
