@@ -1,12 +1,12 @@
 //! The contract that every environment keeps, as a test that anybody can run.
 
 use vc_graph::clock::Span;
-use vc_graph::{Action, NodeId, NodeKind, SceneGraph, Seed, Stream, Verb, Violation, rule};
+use vc_graph::{Action, Label, NodeId, NodeKind, SceneGraph, Seed, Stream, Verb, Violation, rule};
 
 use crate::Batch;
-use crate::environment::{ActionError, Environment, MakeError};
+use crate::environment::{ActionError, Attempt, Disagreement, Environment, MakeError, SaveError};
 #[cfg(feature = "render")]
-use crate::{Viewpoint, render::Modality};
+use crate::{PictureError, Viewpoint, render::Modality};
 
 /// Number of actions that are also shown in time.
 const SHOWN: usize = 4;
@@ -24,7 +24,7 @@ const BATCH: usize = 3;
 const PICTURE: (u32, u32) = (64, 48);
 
 /// A violation of the contract of an environment.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum ContractViolation {
     /// Two environments that were made alike differ.
@@ -43,34 +43,35 @@ pub enum ContractViolation {
         actions: usize,
     },
     /// An action that the transition rule refused changed something.
-    #[error("`{action}` was refused ({error}) and changed the environment")]
+    #[error("`{attempt}` was refused ({error}) and changed the environment")]
     RefusedAndChanged {
         /// The refused action.
-        action: String,
-        /// The reason for the refusal.
-        error: String,
+        attempt: Attempt,
+        /// The refusal.
+        error: ActionError,
     },
     /// The environment did an action that the transition rule refuses.
     #[error("`{0}` was done although the transition rule refuses it")]
-    DoneThoughRefused(String),
+    DoneThoughRefused(Attempt),
     /// The result depends on the order in which actions are listed.
     #[error("the order in which agents' actions are listed matters")]
     OrderMatters,
     /// An action that is shown in time ends differently from the same action done at once.
-    #[error("`{action}` ends differently in time than at once")]
-    ClocksDiffer {
-        /// The action.
-        action: String,
-    },
-    /// Agents that act side by side end differently if time is divided otherwise, or if they are saved in between.
-    #[error("side by side, actions end differently when {0}")]
-    TimeMatters(&'static str),
+    #[error("`{0}` ends differently in time than at once")]
+    ClocksDiffer(Attempt),
+    /// Agents that act side by side end differently if time is divided otherwise.
+    #[error("side by side, actions end differently when time is divided otherwise")]
+    DivisionMatters,
+    /// Agents that act side by side end differently if they are saved in between.
+    #[error("side by side, actions end differently when they are saved in between")]
+    SavingMatters,
     /// Rendering changed the environment, or two pictures of the same moment differ.
     #[error("rendering changed the environment, or two pictures of the same moment differ")]
     ImpureRender,
     /// The environment cannot be rendered.
+    #[cfg(feature = "render")]
     #[error("it cannot be rendered: {0}")]
-    NotRendered(String),
+    NotRendered(PictureError),
     /// An environment in a batch evolves differently from the same environment alone.
     #[error("in a batch the environment evolves differently than alone")]
     BatchDiffers,
@@ -82,22 +83,38 @@ pub enum ContractViolation {
     },
     /// The environment could not be saved or restored.
     #[error("it cannot be saved and restored: {0}")]
-    NotSaved(String),
+    NotSaved(SaveError),
     /// The graph violates an invariant.
-    #[error("after `{action}`: {violation}")]
+    #[error("after `{attempt}`: {violation}")]
     Invariant {
         /// The action after which the invariant is violated.
-        action: String,
+        attempt: Attempt,
         /// The violation.
-        violation: String,
+        violation: Violation,
     },
-    /// A number is not finite, or an object has left the world.
-    #[error("after `{action}`: {what}")]
-    Lost {
+    /// The pose of a thing is not finite.
+    #[error("after `{attempt}` the pose of {thing} is not finite")]
+    NotFinite {
         /// The action after which this happened.
-        action: String,
-        /// A description of the lost object.
-        what: String,
+        attempt: Attempt,
+        /// The thing.
+        thing: Label,
+    },
+    /// A thing is outside the home.
+    #[error("after `{attempt}` {thing} is outside the home")]
+    Outside {
+        /// The action after which this happened.
+        attempt: Attempt,
+        /// The thing.
+        thing: Label,
+    },
+    /// A thing was stopped.
+    #[error("after `{attempt}` {thing} was stopped: it became non-finite, or fell below everything")]
+    Stopped {
+        /// The action after which this happened.
+        attempt: Attempt,
+        /// The thing.
+        thing: Label,
     },
     /// A reset to the environment's own initial scene leads to a different state.
     #[error("a reset to the initial scene does not lead back to it")]
@@ -105,18 +122,27 @@ pub enum ContractViolation {
 }
 
 /// The result of a run of random actions.
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Debug, Default)]
 pub struct Tally {
     /// Number of actions that were done.
     pub done: usize,
     /// Number of actions that the transition rule refused.
     pub refused: usize,
-    /// The actions that the bodies could not do, in words.
-    pub impossible: Vec<String>,
-    /// The disagreements between bodies and rule, in words.
-    pub disagreements: Vec<String>,
+    /// The errors of the actions that the bodies could not do.
+    pub impossible: Vec<ActionError>,
+    /// The disagreements between bodies and rule.
+    pub disagreements: Vec<Disagreement>,
     /// The breaches found.
     pub breaches: Vec<ContractViolation>,
+}
+
+impl Tally {
+    /// Whether another run went the same way.
+    fn is_like(&self, other: &Self) -> bool {
+        (self.done, self.refused, self.breaches.len()) == (other.done, other.refused, other.breaches.len())
+            && self.impossible == other.impossible
+            && self.disagreements == other.disagreements
+    }
 }
 
 /// Checks the contract of an environment, as Gymnasium's checker does, and returns every breach; a sound
@@ -157,7 +183,7 @@ pub fn check_environment(
     check_render(&one, &mut breaches);
     let first = run(&mut one, actions / 2, seed.child("first"));
     let again = run(&mut other, actions / 2, seed.child("first"));
-    if one.digest() != other.digest() || first != again {
+    if one.digest() != other.digest() || !first.is_like(&again) {
         breaches.push(ContractViolation::RunDifferently { actions: actions / 2 });
     }
     breaches.extend(first.breaches);
@@ -175,7 +201,7 @@ fn check_clocks(environment: &Environment, seed: Seed, breaches: &mut Vec<Contra
         let every = EVERY.max(Span(at_once.duration(&action).unwrap_or_default().0 / LOOKS));
         let outcome = at_once.set_action(agent, action);
         if in_time.set_action_in_time(agent, action, every, |_| {}) != outcome || at_once.digest() != in_time.digest() {
-            breaches.push(ContractViolation::ClocksDiffer { action: action.describe(environment.graph()).to_string() });
+            breaches.push(ContractViolation::ClocksDiffer(Attempt::new(&action, environment.graph())));
             return;
         }
     }
@@ -197,14 +223,14 @@ fn check_time(environment: &Environment, seed: Seed, breaches: &mut Vec<Contract
         told.extend(parts.step(PART.min(whole.tick() - parts.tick())));
     }
     if told != endings || parts.digest() != whole.digest() {
-        breaches.push(ContractViolation::TimeMatters("time is divided otherwise"));
+        breaches.push(ContractViolation::DivisionMatters);
     }
     let mut restored = match begun.save().and_then(|bytes| begun.restore(&bytes)) {
         Ok(restored) => restored,
-        Err(error) => return breaches.push(ContractViolation::NotSaved(error.to_string())),
+        Err(error) => return breaches.push(ContractViolation::NotSaved(error)),
     };
     if restored.step(LONG) != endings || restored.digest() != whole.digest() {
-        breaches.push(ContractViolation::TimeMatters("they are saved in between"));
+        breaches.push(ContractViolation::SavingMatters);
     }
 }
 
@@ -240,7 +266,7 @@ fn check_render(environment: &Environment, breaches: &mut Vec<ContractViolation>
                     breaches.push(ContractViolation::ImpureRender);
                 }
             }
-            (Err(error), _) | (_, Err(error)) => breaches.push(ContractViolation::NotRendered(error.to_string())),
+            (Err(error), _) | (_, Err(error)) => breaches.push(ContractViolation::NotRendered(error)),
         }
     }
 }
@@ -260,47 +286,42 @@ pub fn run(environment: &mut Environment, actions: usize, seed: Seed) -> Tally {
 
 fn try_action(environment: &mut Environment, agent: NodeId, action: Action, tally: &mut Tally) {
     let before = environment.digest();
-    let text = action.describe(environment.graph()).to_string();
+    let attempt = Attempt::new(&action, environment.graph());
     let refused = !rule::refusals(environment.graph(), agent, &action).is_empty();
     let outcome = environment.set_action(agent, action);
     let after = environment.digest();
-    match &outcome {
-        Ok(_) if refused => tally.breaches.push(ContractViolation::DoneThoughRefused(text.clone())),
+    match outcome {
+        Ok(_) if refused => tally.breaches.push(ContractViolation::DoneThoughRefused(attempt.clone())),
         Ok(_) => tally.done += 1,
-        Err(ActionError::Disagreement(why)) => tally.disagreements.push(why.to_string()),
+        Err(error @ (ActionError::Refused(_) | ActionError::Twice(_))) if before != after => {
+            tally.breaches.push(ContractViolation::RefusedAndChanged { attempt: attempt.clone(), error });
+        }
+        Err(ActionError::Disagreement(why)) => tally.disagreements.push(*why),
         Err(ActionError::Refused(_)) => tally.refused += 1,
-        Err(other) => tally.impossible.push(other.to_string()),
-    }
-    if let Err(error @ (ActionError::Refused(_) | ActionError::Twice(_))) = outcome
-        && before != after
-    {
-        tally.breaches.push(ContractViolation::RefusedAndChanged { action: text.clone(), error: error.to_string() });
+        Err(other) => tally.impossible.push(other),
     }
     let _ = (environment.observation(agent, 3.0), environment.room_observation(agent));
     if environment.digest() != after {
         tally.breaches.push(ContractViolation::ImpureObservation { actions: environment.history().events().len() });
     }
-    tally.breaches.extend(unsound(environment, &text));
+    tally.breaches.extend(unsound(environment, &attempt));
 }
 
 /// The breaches that an environment shows after an action.
-fn unsound(environment: &Environment, action: &str) -> Vec<ContractViolation> {
-    let (graph, world) = (environment.graph(), environment.world());
-    let known = environment.start().validate();
+fn unsound(environment: &Environment, attempt: &Attempt) -> Vec<ContractViolation> {
+    let (graph, world, known) = (environment.graph(), environment.world(), environment.start().validate());
+    let attempt = || attempt.clone();
     // A falling object comes to rest on whatever is there: a pillow on a duvet, a sock on a pencil.
     let fallen = |v: &Violation| matches!(v, Violation::NotASurface(..));
     let violations = graph.validate().into_iter().filter(|v| !known.contains(v) && !fallen(v));
-    let broken =
-        violations.map(|v| ContractViolation::Invariant { action: action.to_owned(), violation: v.to_string() });
-    let lost = |what: String| ContractViolation::Lost { action: action.to_owned(), what };
-    let wild = |n: &vc_graph::Node| n.pose().is_some_and(|p| !p.translation.vector.iter().all(|v| v.is_finite()));
-    let not_finite =
-        graph.nodes().filter(|n| wild(n)).map(|n| lost(format!("the pose of {} is not finite", n.label())));
-    let outside = world.outside().into_iter().map(|id| lost(format!("{} is outside the home", graph.label(id))));
-    let stopped = world
-        .stopped()
-        .iter()
-        .map(|id| lost(format!("{} was stopped: it became non-finite, or fell below everything", graph.label(*id))));
+    let broken = violations.map(|violation| ContractViolation::Invariant { attempt: attempt(), violation });
+    let wild = |n: &&vc_graph::Node| n.pose().is_some_and(|p| !p.translation.vector.iter().all(|v| v.is_finite()));
+    let not_finite = graph.nodes().filter(wild).map(|n| n.id());
+    let not_finite = not_finite.map(|id| ContractViolation::NotFinite { attempt: attempt(), thing: graph.label(id) });
+    let outside = world.outside().into_iter();
+    let outside = outside.map(|id| ContractViolation::Outside { attempt: attempt(), thing: graph.label(id) });
+    let stopped = world.stopped().iter();
+    let stopped = stopped.map(|id| ContractViolation::Stopped { attempt: attempt(), thing: graph.label(*id) });
     broken.chain(not_finite).chain(outside).chain(stopped).collect()
 }
 
@@ -321,11 +342,11 @@ fn check_saving(environment: &mut Environment, actions: usize, seed: Seed, breac
     let restored = environment.save().and_then(|bytes| environment.restore(&bytes));
     let mut restored = match restored {
         Ok(restored) => restored,
-        Err(error) => return breaches.push(ContractViolation::NotSaved(error.to_string())),
+        Err(error) => return breaches.push(ContractViolation::NotSaved(error)),
     };
     let own = run(environment, actions, seed);
     let theirs = run(&mut restored, actions, seed);
-    if environment.digest() != restored.digest() || own != theirs {
+    if environment.digest() != restored.digest() || !own.is_like(&theirs) {
         breaches.push(ContractViolation::RestoredDiffers { actions });
     }
     breaches.extend(own.breaches);

@@ -27,7 +27,7 @@ struct Attempted {
 
 impl Attempt {
     /// An action, with the labels that a scene gives its things.
-    pub(super) fn new(action: &Action, graph: &SceneGraph) -> Self {
+    pub(crate) fn new(action: &Action, graph: &SceneGraph) -> Self {
         let text = action.describe(graph).to_string().into();
         Self(Box::new(Attempted { action: Some(*action), text }))
     }

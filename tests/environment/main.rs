@@ -66,7 +66,7 @@ fn random_actions_do_no_harm() {
         let tally = run(&mut home, 80, Seed(seed));
         assert!(tally.breaches.is_empty(), "{:?}", tally.breaches);
         assert!(tally.done > 20, "{tally:?}");
-        assert_eq!(tally.disagreements, [""; 0]);
+        assert_eq!(tally.disagreements, []);
     }
 }
 
@@ -83,9 +83,8 @@ fn many_random_actions() {
         let mut home = home(seed, 2);
         let tally = run(&mut home, actions as usize, Seed(seed));
         println!("{}: {} done, {} refused", home.graph().name(), tally.done, tally.refused);
-        let show = |what: &str, all: &[String]| all.iter().take(12).for_each(|text| println!("  {what}: {text}"));
-        show("impossible", &tally.impossible);
-        show("disagreement", &tally.disagreements);
+        tally.impossible.iter().take(12).for_each(|why| println!("  impossible: {why}"));
+        tally.disagreements.iter().take(12).for_each(|why| println!("  disagreement: {why}"));
         tally.breaches.iter().take(4).for_each(|breach| println!("  breach: {breach}"));
         done += tally.done;
         breaches += tally.breaches.len();
