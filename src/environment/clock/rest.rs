@@ -1,7 +1,7 @@
 //! The ends of actions: what they moved rests, is read, and is compared with the rule.
 
 use nalgebra::Point2;
-use vc_graph::{Action, ChangeSet, Effect, NodeId, Pose, SceneGraph, State, rule};
+use vc_graph::{Action, ChangeSet, Effect, NodeId, Place, Pose, Relation, SceneGraph, State, rule};
 use vc_physics::{BodyRole, Hand};
 
 use super::passing::spot;
@@ -230,7 +230,7 @@ impl Environment {
     /// Once for each action; returns whether there were any.
     fn puts_back(&mut self, agent: NodeId, astray: &[NodeId]) -> bool {
         let Some((action, before)) = self.before_putting_back(agent) else { return false };
-        if !astray.iter().all(|id| self.is_bystander(*id, agent, &action)) {
+        if !astray.iter().all(|id| self.is_bystander(*id, agent, &action, &before)) {
             return false;
         }
         for &id in astray {
@@ -246,13 +246,14 @@ impl Environment {
         true
     }
 
-    /// Whether a thing is loose and no part of what an action is about: neither one of its things nor
-    /// on or in one, nor with the agent. A thing on one that is only opened or closed has no part in that.
-    fn is_bystander(&self, id: NodeId, agent: NodeId, action: &Action) -> bool {
-        let opens = !self.opened_or_closed(action).is_empty();
-        let carried = |about: NodeId| (!opens || about == agent) && self.graph.rests_at(id, about);
+    /// Whether a thing is loose and no part of what an action is about: neither one of its things nor on or in one, nor
+    /// with the agent. A thing on one that is only opened or closed has no part in that; one within goes with its parts.
+    fn is_bystander(&self, id: NodeId, agent: NodeId, action: &Action, before: &SceneGraph) -> bool {
+        let moved = self.opened_or_closed(action);
+        let carried = |about: NodeId| (moved.is_empty() || about == agent) && self.graph.rests_at(id, about);
         let of_it = |about: NodeId| id == about || carried(about) || self.graph.rests_at(about, id);
-        self.world.role(id) == Some(BodyRole::Loose) && !action.things().chain([agent]).any(of_it)
+        let is_within = moved.iter().any(|thing| is_within(before, id, *thing));
+        self.world.role(id) == Some(BodyRole::Loose) && !is_within && !action.things().chain([agent]).any(of_it)
     }
 
     /// The things that an action opens or closes.
@@ -263,4 +264,13 @@ impl Environment {
         };
         rule::effects(self.graph.vocabulary(), action).into_iter().filter_map(thing).collect()
     }
+}
+
+/// Whether a thing is inside another, or on or in what is.
+fn is_within(graph: &SceneGraph, id: NodeId, around: NodeId) -> bool {
+    let within = |place: Place| match place.at == around {
+        true => place.relation == Relation::Inside,
+        false => is_within(graph, place.at, around),
+    };
+    graph.places(id).any(within)
 }
