@@ -5,9 +5,10 @@
 //! action begins, an event is due, or a body is awake. Whether one steps by single ticks or by thousands, the same
 //! live ticks are visited. [`act`] does actions to their end, [`conflict`] is about agents in each other's way,
 //! [`passing`] about ways past others, [`apart`] about distances and [`aside`] about making way, [`rest`] about the end of an action, [`answers`] about who answers for
-//! what, [`show`] about the tick as it is seen, [`processes`] about machines and matter, [`save`] about the clock as text.
+//! what, [`anew`] about other spots, [`show`] about the tick as it is seen, [`processes`] about machines and matter, [`save`] about the clock as text.
 
 mod act;
+mod anew;
 mod answers;
 mod apart;
 mod aside;
