@@ -60,6 +60,8 @@ pub(super) struct Put {
     pub(super) balanced: bool,
     /// Where it is held as it was at the start, as it would overlap something.
     pub(super) tight: Option<NodeId>,
+    /// The thing in a hand with which it is carried from then on.
+    pub(super) with: Option<NodeId>,
 }
 
 /// How the parts of a thing are moved.

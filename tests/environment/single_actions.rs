@@ -222,3 +222,39 @@ fn a_full_bowl_is_put_into_a_cupboard() {
     }
     assert!(home.graph().hidden_in(NodeId(384)).is_some());
 }
+
+/// A thing of a class that an agent has fetched from where it could be put.
+fn fetched(home: &mut Environment, agent: NodeId, class: &str) -> Option<NodeId> {
+    let tables = ["nightstand", "coffee_table", "desk", "dining_table", "kitchen_table"];
+    let tables: Vec<NodeId> = tables.iter().flat_map(|class| home.graph().of_class(class)).collect();
+    tables.into_iter().find_map(|at| {
+        let thing = home.spawn(class, Place { relation: Relation::On, at }).ok()?;
+        home.set_action(agent, Action::walk(thing)).ok()?;
+        home.set_action(agent, Action::grab(thing)).ok()?;
+        Some(thing)
+    })
+}
+
+/// What is put onto a tray in a hand, one's own or somebody else's, is carried along on it, and can be taken from it.
+#[test]
+fn what_is_put_onto_a_tray_in_a_hand_is_carried_along() {
+    for seed in [42, 8, 32_784] {
+        let mut home = home(seed, 2);
+        let (a, b) = (home.agents()[0], home.agents()[1]);
+        let tray = fetched(&mut home, a, "tray").unwrap();
+        let apple = fetched(&mut home, a, "apple").unwrap();
+        act(&mut home, a, Verb::Place, &[apple, tray]);
+        let plum = fetched(&mut home, b, "plum").unwrap();
+        act(&mut home, b, Verb::Walk, &[a]);
+        act(&mut home, b, Verb::Place, &[plum, tray]);
+        let room = home.graph().room_of(home.graph().first_of_class("bed").unwrap()).unwrap();
+        act(&mut home, a, Verb::Walk, &[room]);
+        let at = |id: NodeId| home.world().aabb(id).unwrap();
+        for fruit in [apple, plum] {
+            assert!(home.graph().rests_at(fruit, tray), "{seed}: {:?}", home.graph().place(fruit));
+            assert!(at(tray).gap(&at(fruit)) < 0.01 && home.graph().room_of(fruit) == Some(room));
+        }
+        act(&mut home, a, Verb::Grab, &[plum]);
+        assert!(home.graph().rests_at(apple, tray) && home.graph().holder(plum).is_some_and(|by| by.at == a));
+    }
+}

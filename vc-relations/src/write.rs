@@ -70,15 +70,17 @@ impl Relations {
         }
         let own = carriers_first(own);
         // All things that move leave their old places first, so that no old place turns a new one into a cycle.
+        let mut left: BTreeMap<NodeId, Vec<Place>> = BTreeMap::new();
         for (id, edges) in &own {
             let leaves = edges.iter().any(rests) || is_outside(edit.graph(), *id);
             if leaves && !is_held(edit.graph(), *id) && !is_placed(edit.graph(), *id, edges) {
+                left.insert(*id, edit.graph().places(*id).collect());
                 edit.detach(*id)?;
             }
         }
         for (id, edges) in &own {
             if !is_held(edit.graph(), *id) && !is_placed(edit.graph(), *id, edges) {
-                put(&mut edit, *id, edges)?;
+                put(&mut edit, *id, edges, left.remove(id).unwrap_or_default())?;
             }
             FREE.into_iter().try_for_each(|relation| replace(&mut edit, *id, relation, edges))?;
         }
@@ -161,10 +163,15 @@ fn rests(edge: &Edge) -> bool {
     Relation::places().contains(&edge.relation) && edge.relation != Relation::WornBy
 }
 
-fn put(edit: &mut vc_graph::Edit<'_>, id: NodeId, edges: &[Edge]) -> Result<(), EditError> {
+/// Puts a thing where edges have it, or where it was if these all rest on the thing itself.
+fn put(edit: &mut vc_graph::Edit<'_>, id: NodeId, edges: &[Edge], was: Vec<Place>) -> Result<(), EditError> {
     // The graph may have a thing that keeps its place resting on this one.
     let carried = |p: &Place| edit.graph().rests_at(p.at, id);
-    let places: Vec<Place> = edges.iter().filter(|e| rests(e)).map(place).filter(|p| !carried(p)).collect();
+    let new: Vec<Place> = edges.iter().filter(|e| rests(e)).map(place).collect();
+    let mut places: Vec<Place> = new.iter().copied().filter(|p| !carried(p)).collect();
+    if places.is_empty() && !new.is_empty() {
+        places = was.into_iter().filter(|p| !carried(p)).collect();
+    }
     if !places.is_empty() {
         edit.place_as_seen(id, &places, None)?;
     }

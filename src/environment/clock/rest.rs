@@ -196,6 +196,11 @@ impl Environment {
             return Err(self.interrupted(&action, undone));
         }
         let balanced = self.clock.running.get(&agent).and_then(|schedule| schedule.balanced);
+        if let Some(id) = balanced.filter(|id| self.world.role(*id) == Some(BodyRole::Loose)) {
+            // It is not held any longer where nothing carries it.
+            let _ = self.world.wake(id);
+            self.clock.stirred = true;
+        }
         let error = Disagreement { attempt: Attempt::new(&action, &self.graph), differences };
         Err(unsteady(error.into(), balanced))
     }

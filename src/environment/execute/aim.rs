@@ -109,7 +109,7 @@ impl Planner<'_> {
                 (self.in_world(&world).asked_spot(id, place).map_err(|_| why)?, Some(fold))
             }
         };
-        let put = BodyMotion::Put(Put { hand, id, pose, balanced: false, tight: None });
+        let put = BodyMotion::Put(Put { hand, id, pose, balanced: false, tight: None, with: None });
         let step = if !self.stands() || self.puts_from(&self.feet(), id, &pose) {
             self.turn_to(pose.translation.vector.into())
         } else {

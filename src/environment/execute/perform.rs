@@ -82,9 +82,10 @@ impl Bodies<'_> {
     }
 
     fn put(&mut self, put: &Put) -> Done {
-        match put.tight {
-            Some(at) => self.world.put_back(&self.start.world, (self.agent, put.hand), put.pose, at)?,
-            None => self.world.put(self.agent, put.hand, put.pose)?,
+        match (put.tight, put.with) {
+            (Some(at), _) => self.world.put_back(&self.start.world, (self.agent, put.hand), put.pose, at)?,
+            (None, Some(at)) => self.world.put_with(self.agent, put.hand, put.pose, at)?,
+            (None, None) => self.world.put(self.agent, put.hand, put.pose)?,
         };
         Ok(())
     }

@@ -68,10 +68,13 @@ impl Planner<'_> {
     pub(super) fn lay_down(&self, id: NodeId, place: Place, pose: Pose) -> Planning {
         let hand = self.hand_with(id)?;
         if self.spot_as_begun(id, place)? == Some(pose) {
-            return Ok(BodyMotion::Put(Put { hand, id, pose, balanced: true, tight: Some(place.at) }).into());
+            return Ok(
+                BodyMotion::Put(Put { hand, id, pose, balanced: true, tight: Some(place.at), with: None }).into()
+            );
         }
-        let put = BodyMotion::Put(Put { hand, id, pose, balanced: false, tight: None });
-        Ok(self.watched(put, id, place, pose))
+        let with = Some(place.at).filter(|at| self.world.role(*at) == Some(BodyRole::Carried));
+        let put = BodyMotion::Put(Put { hand, id, pose, balanced: false, tight: None, with });
+        Ok(if with.is_some() { Plan::of([put]) } else { self.watched(put, id, place, pose) })
     }
 
     pub(super) fn let_go(&mut self, id: NodeId) -> Planning {
@@ -93,7 +96,7 @@ impl Planner<'_> {
             let order = SpotOrder::Near(self.feet() * Point3::new(ahead, 0.0, 0.0));
             let spot = self.spot_in_order(id, place, order)?;
             if let Some(pose) = spot.filter(|spot| here(spot) && self.puts_from(&self.feet(), id, spot)) {
-                return Ok(BodyMotion::Put(Put { hand, id, pose, balanced: false, tight: None }).into());
+                return Ok(BodyMotion::Put(Put { hand, id, pose, balanced: false, tight: None, with: None }).into());
             }
         }
         self.step_to_let_go(id, place, here)
@@ -116,7 +119,7 @@ impl Planner<'_> {
     pub(super) fn let_go_at(&self, id: NodeId, pose: Pose) -> Planning {
         let hand = self.hand_with(id)?;
         Ok(match self.puts_from(&self.feet(), id, &pose) {
-            true => BodyMotion::Put(Put { hand, id, pose, balanced: false, tight: None }),
+            true => BodyMotion::Put(Put { hand, id, pose, balanced: false, tight: None, with: None }),
             false => BodyMotion::LetGo(hand),
         }
         .into())

@@ -29,6 +29,23 @@ impl PhysicsWorld {
         all.into_iter().find(|&(a, h)| self.held(a, h) == Some(id))
     }
 
+    /// The agent and the hand that carry a thing: that hold it, or what it is on or in.
+    pub(crate) fn carrier(&self, id: NodeId) -> Option<(NodeId, Hand)> {
+        let carries = |held: &Held| held.id == id || held.load.iter().any(|loaded| loaded.id == id);
+        let all = self.agents.iter().flat_map(|(agent, body)| Hand::BOTH.map(|hand| (*agent, hand, body)));
+        let mut all = all.filter(|(_, hand, body)| body.hands[*hand as usize].as_ref().is_some_and(carries));
+        all.next().map(|(agent, hand, _)| (agent, hand))
+    }
+
+    /// Whether a thing may be taken: it is loose, or on or in what a hand holds.
+    fn is_takeable(&self, id: NodeId) -> bool {
+        match self.role(id) {
+            Some(BodyRole::Loose | BodyRole::Hung) => true,
+            Some(BodyRole::Carried) => self.holder(id).is_none() && self.carrier(id).is_some(),
+            _ => false,
+        }
+    }
+
     /// Whether a hand holds a thing with something on it or in it.
     pub(crate) fn is_held_with_load(&self, id: NodeId) -> bool {
         let mut held = self.agents.values().flat_map(|a| a.hands.iter().flatten());
@@ -73,7 +90,7 @@ impl PhysicsWorld {
     /// Those of some nodes that come along with a thing: what rests on it, and what is free beside it.
     pub(super) fn load_among(&self, id: NodeId, load: &[NodeId]) -> Vec<NodeId> {
         let resting = self.load_on(id);
-        let free = |load: &&NodeId| matches!(self.role(**load), Some(BodyRole::Loose | BodyRole::Hung)) && **load != id;
+        let free = |load: &&NodeId| self.is_takeable(**load) && **load != id;
         let apart = load.iter().filter(|load| !resting.contains(load)).filter(free);
         resting.iter().filter(|resting| load.contains(resting)).chain(apart).copied().collect()
     }
@@ -138,6 +155,9 @@ impl PhysicsWorld {
         let left: Vec<NodeId> = self.load_on(id).into_iter().filter(|resting| !load.contains(resting)).collect();
         let load: Vec<Loaded> = load.iter().copied().filter_map(at).collect();
         for carried in load.iter().map(|l| l.id).chain([id]) {
+            // Another hand may have carried it along.
+            let held = self.agents.values_mut().flat_map(|agent| agent.hands.iter_mut().flatten());
+            held.for_each(|held| held.load.retain(|loaded| loaded.id != carried));
             self.set_role(carried, BodyRole::Carried)?;
         }
         left.into_iter().try_for_each(|id| self.wake(id))?;
@@ -154,8 +174,8 @@ impl PhysicsWorld {
         }
         let thing = self.thing(id)?;
         match thing.state.role {
-            BodyRole::Loose | BodyRole::Hung => {}
-            BodyRole::Carried => return Err(AgentError::Held(id)),
+            _ if self.is_takeable(id) => {}
+            BodyRole::Loose | BodyRole::Hung | BodyRole::Carried => return Err(AgentError::Held(id)),
             BodyRole::Fixed | BodyRole::Stopped => return Err(PhysicsError::NotFree(id).into()),
         }
         let (mass, limit) = (thing.mass(), body.plan.carries);

@@ -2,7 +2,7 @@
 
 use vc_graph::{NodeId, Pose};
 
-use crate::state::Hand;
+use crate::state::{Hand, Loaded};
 use crate::world::PhysicsWorld;
 use crate::{AgentError, BodyRole, PhysicsError, convert};
 
@@ -66,6 +66,44 @@ impl PhysicsWorld {
         self.free_hand(agent, hand, Some(pose))?;
         self.pin(id, Some(at))?;
         self.thing_mut(id)?.state.rides = Some((at, then.link_below(id, at)));
+        Ok(id)
+    }
+
+    /// Puts the thing in a hand, with its load, onto or into a thing that a hand carries, of the same agent or another
+    /// one: from then on that hand carries it along. As [`Self::put`] if no hand carries that thing.
+    ///
+    /// # Errors
+    /// As [`Self::put`].
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
+    /// use vc_graph::Pose;
+    /// use vc_physics::Hand;
+    /// world.teleport(home.person, Pose::translation(0.3, 0.0, 0.0))?;
+    /// world.grab(home.person, Hand::Right, home.cup)?;
+    /// let table = world.pose(home.table).ok_or("no table")? * Pose::translation(0.0, 0.0, 0.76);
+    /// // The table is in no hand, so the cup is put down on it.
+    /// world.put_with(home.person, Hand::Right, table, home.table)?;
+    /// assert_eq!(world.held(home.person, Hand::Right), None);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn put_with(&mut self, agent: NodeId, hand: Hand, pose: Pose, at: NodeId) -> Result<NodeId, AgentError> {
+        let Some((by, carrying)) = self.carrier(at).filter(|carrier| *carrier != (agent, hand)) else {
+            return self.put(agent, hand, pose);
+        };
+        let own = self.agent_state(agent)?.hands[hand as usize].as_ref().ok_or(AgentError::HandEmpty(agent))?;
+        let with: Vec<(NodeId, bool)> = own.load.iter().map(|loaded| (loaded.id, loaded.pinned)).collect();
+        let id = self.put(agent, hand, pose)?;
+        let held = self.held(by, carrying).and_then(|held| self.pose(held)).unwrap_or_else(Pose::identity);
+        for (id, pinned) in with.into_iter().chain([(id, false)]) {
+            let Some(pose) = self.pose(id) else { continue };
+            self.set_role(id, BodyRole::Carried)?;
+            if let Some(held_by) = self.agent_mut(by)?.hands[carrying as usize].as_mut() {
+                held_by.load.push(Loaded { id, at: held.inverse() * pose, pinned });
+            }
+        }
+        self.embody(by, true);
         Ok(id)
     }
 
