@@ -14,7 +14,7 @@ pub(crate) fn between(base: &[u8], bytes: &[u8]) -> Vec<u8> {
     let blocks: HashMap<&[u8], usize> = all.map(|(number, block)| (block, number * BLOCK)).collect();
     let mut out = Vec::new();
     write(&mut out, bytes.len());
-    // What is written, and the place in the base behind the last run.
+    // How much is written, and the place in the base behind the last run.
     let (mut written, mut behind, mut at) = (0, 0, 0);
     while at + BLOCK <= bytes.len() {
         let beside = behind + (at - written);

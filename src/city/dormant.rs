@@ -15,7 +15,7 @@ use crate::{Environment, delta};
 /// A region that somebody has changed, while nobody is in it.
 #[derive(Clone)]
 pub(super) enum Dormant {
-    /// What differs in it: some tens of kilobytes, where an environment has megabytes.
+    /// The difference from how it is made: some tens of kilobytes, where an environment has megabytes.
     Changes(Arc<Changes>),
     /// One that cannot be saved: all of it.
     Whole(Box<Environment>),
@@ -43,7 +43,7 @@ impl Reference {
         hash.digest()
     }
 
-    /// What differs in a region.
+    /// The difference of a region from how it is made.
     pub(super) fn changes(&self, environment: &Environment) -> Result<Changes, SaveError> {
         let bytes = delta::between(&self.bytes, &environment.save()?);
         Ok(Changes { bytes, reference: self.digest() })
@@ -68,7 +68,7 @@ impl City {
         CityError::Scene { region: self.region_label(region), why: Arc::new(why) }
     }
 
-    /// What differs in a region from how it is made.
+    /// The difference of a region from how it is made.
     pub(super) fn changes_of(&self, region: RegionId, environment: &Environment) -> Result<Changes, CityError> {
         self.reference(region)?.changes(environment).map_err(|why| self.unsaved(region, why))
     }

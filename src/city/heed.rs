@@ -184,7 +184,7 @@ impl City {
             && self.environment_of(agent).is_some_and(|there| there.is_free_to_move(agent))
     }
 
-    /// Whether the doors of a lift have to stay open at a stop: somebody is between them, or wants out. Who stands between
+    /// Whether the doors of a lift have to stay open at a stop: somebody is between them, or wants out. One who stands between
     /// them with nothing to do is asked to leave.
     pub(super) fn keeps_open(&mut self, cabin: RegionId, stop: u32) -> bool {
         let space = self.space().clone();

@@ -46,7 +46,7 @@ struct SavedCity {
     regions: Vec<SavedRegion>,
 }
 
-/// A region of a saved city. What differs from its reference is a part of its own.
+/// A region of a saved city. Its difference from its reference is a part of its own.
 #[derive(Clone, Copy, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct SavedRegion {

@@ -272,7 +272,6 @@ fn light_falls_through_an_open_front_door() {
     };
     for seed in [3, 7] {
         let (dim, bright) = dim_and_bright(seed);
-        println!("building {seed}: {dim} with the door shut, {bright} open");
         assert!(bright > 1.2 * dim, "building {seed}: {bright} with the door open, {dim} shut");
     }
 }
