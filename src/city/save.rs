@@ -119,7 +119,7 @@ impl City {
     /// region from how it is made, with bodies and actions as [`Environment::save`] has them, who is where, ways and lifts.
     /// Regions that are as they are made and have nobody in them take nothing. [`set_ways`](Self::set_ways) is not in it.
     ///
-    /// A home in which somebody lives takes some tens of kilobytes (seven megabytes whole), and a tenth of a second or two.
+    /// A home in which somebody lives takes some tens of kilobytes (seven megabytes whole), and the time to make and write it.
     ///
     /// ```
     /// use virtualcity::City;
