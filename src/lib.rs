@@ -93,6 +93,8 @@ mod check;
 #[cfg(feature = "environment")]
 mod city;
 #[cfg(feature = "environment")]
+mod delta;
+#[cfg(feature = "environment")]
 mod environment;
 pub mod files;
 mod json_lines;

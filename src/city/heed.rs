@@ -1,13 +1,13 @@
 //! Heeding others at portals: nobody sets out through one without a free place beyond, two never meet in one, and those who
 //! stand in the way with nothing to do make way.
 
-use nalgebra::{Point2, distance};
+use nalgebra::{Point2, Point3, distance};
 use vc_graph::clock::{Span, TICKS_PER_SECOND};
 use vc_graph::space::{Portal, PortalId, RegionId};
 use vc_graph::{NodeId, Pose};
 
 use super::journey::{Journey, Leg, Stage};
-use super::measures::{BETWEEN, HELD, LEVEL, PATIENCE};
+use super::measures::{BETWEEN, HELD, LEVEL, PATIENCE, RETREATS, STAYS};
 use super::passage::Crossing;
 use super::{City, CityError, way};
 use crate::environment::{APART, apart_after};
@@ -90,8 +90,10 @@ impl City {
     pub(super) fn spot_before(&self, agent: NodeId, plan: &Portal, region: RegionId) -> Option<Point2<f32>> {
         let here = Point2::from(self.feet(agent)?.translation.vector.xy());
         let there = self.environment(region)?;
-        let is_off = |spot: &Point2<f32>| way::off(spot, &way::mouth(plan, region)) > APART;
-        let straight = || there.spot_near(agent, way::beside(plan, region), |_| true);
+        let kept = self.kept_places(agent, region);
+        let is_apart = |spot: &Point2<f32>| kept.iter().all(|other| distance(other, spot) > APART);
+        let is_off = |spot: &Point2<f32>| is_apart(spot) && way::off(spot, &way::mouth(plan, region)) > APART;
+        let straight = || there.spot_near(agent, way::beside(plan, region), is_apart);
         if self.lifts.at(plan).is_none() {
             return straight();
         }
@@ -182,7 +184,7 @@ impl City {
             && self.environment_of(agent).is_some_and(|there| there.is_free_to_move(agent))
     }
 
-    /// Whether the doors of a lift have to stay open at a stop: somebody is between them, or wants out. Who stands between
+    /// Whether the doors of a lift have to stay open at a stop: somebody is between them, or wants out. One who stands between
     /// them with nothing to do is asked to leave.
     pub(super) fn keeps_open(&mut self, cabin: RegionId, stop: u32) -> bool {
         let space = self.space().clone();
@@ -205,5 +207,46 @@ impl City {
             }
         }
         stands
+    }
+
+    /// Whoever has waited long enough on a threshold goes back, so that others get through and doors can shut, and those
+    /// behind with it. Out of a lift and on stairs one waits longer.
+    pub(super) fn go_back_in_time(
+        &mut self,
+        agent: NodeId,
+        plan: &Portal,
+        crossing: &mut Crossing,
+    ) -> Result<(), CityError> {
+        let is_alone = plan.stairs.is_empty() && self.lifts.get(crossing.from).is_none();
+        if crossing.held < if is_alone { RETREATS } else { STAYS } {
+            return Ok(());
+        }
+        let no_room = CityError::of_no_floor(self.region_label(crossing.into));
+        if !is_alone {
+            return Err(no_room);
+        }
+        let behind = self
+            .journeys
+            .iter()
+            .filter(|(id, journey)| **id != agent && journey.crossing().is_some_and(|other| other.follows(crossing)));
+        for id in behind.map(|(id, _)| *id).collect::<Vec<NodeId>>() {
+            let Some(Stage::Crossing(mut other)) = self.journeys.get(&id).map(|journey| journey.stage.clone()) else {
+                continue;
+            };
+            if self.go_back(id, plan, &mut other).is_some()
+                && let Some(journey) = self.journeys.get_mut(&id)
+            {
+                journey.stage = Stage::Crossing(other);
+            }
+        }
+        self.go_back(agent, plan, crossing).ok_or(no_room)
+    }
+
+    /// Turns back to a free place before a portal, if there is one.
+    fn go_back(&self, agent: NodeId, plan: &Portal, crossing: &mut Crossing) -> Option<()> {
+        let (spot, feet) = (self.spot_before(agent, plan, crossing.from)?, self.feet(agent)?.translation.vector);
+        (crossing.goes_back, crossing.spot) = (true, spot);
+        crossing.sets_out(vec![feet.into(), Point3::new(spot.x, spot.y, feet.z)], self.tick);
+        Some(())
     }
 }

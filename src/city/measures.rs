@@ -61,3 +61,5 @@ pub(super) const PORTALS: u32 = 3;
 pub(super) const FAR: f32 = 60.0;
 /// How many regions are kept as they were made: those of a small building.
 pub(super) const MADE: usize = 24;
+/// The figures of how many agents are known to saves without being written: those of a household or two.
+pub(super) const FIGURES: usize = 8;

@@ -1,11 +1,13 @@
 //! A city: regions joined by portals, in which agents go from one to another.
 //!
-//! [`source`] is where scenes come from, [`residency`] which regions are there, [`journey`] how agents get from one to
+//! [`source`] is where scenes come from, [`residency`] which regions are there, [`dormant`] what is kept of the
+//! others, [`journey`] how agents get from one to
 //! another, [`leg`] by leg, by [passages](passage) along [ways](way) on which they [heed](heed) each other, [`door`] the doors between two
 //! regions, [`lift`] how cabins move, [`time`] how all of it goes on, [`save`] cities as bytes; [`measures`] has all speeds,
 //! times and sizes.
 
 mod door;
+mod dormant;
 mod error;
 mod goal;
 mod heed;
@@ -30,13 +32,14 @@ mod way;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use vc_graph::clock::{Span, Tick};
+use vc_graph::clock::Tick;
 use vc_graph::hash::Digester;
 use vc_graph::space::{Portal, PortalId, PortalState, RegionFrame, RegionId, Space};
 use vc_graph::{Action, Digest, Label, NodeId, Pose};
 
 use crate::{Environment, EnvironmentBuilder};
 
+use dormant::Dormant;
 pub use error::{CityError, RegionLabel};
 pub use goal::GoalScope;
 use journey::Journey;
@@ -77,8 +80,8 @@ pub struct City {
     tick: Tick,
     /// The regions that are there.
     active: BTreeMap<RegionId, Environment>,
-    /// Those that somebody has been in.
-    asleep: BTreeMap<RegionId, Environment>,
+    /// Those that somebody has changed.
+    asleep: BTreeMap<RegionId, Dormant>,
     /// Where agents are, and things that are not where they were made.
     whereabouts: BTreeMap<NodeId, RegionId>,
     agents: Vec<NodeId>,
@@ -198,7 +201,8 @@ impl City {
     pub fn digest(&self) -> Digest {
         let mut hash = Digester::new();
         hash.words([self.space().digest().0, self.tick.0]);
-        let asleep = self.asleep.iter().map(|(region, environment)| (region, self.as_woken(environment).digest()));
+        let asleep =
+            self.asleep.iter().filter_map(|(region, dormant)| Some((region, self.digest_of(*region, dormant)?)));
         let active = self.active.iter().map(|(region, environment)| (region, environment.digest()));
         for (region, digest) in active.chain(asleep).collect::<BTreeMap<_, _>>() {
             hash.words([u64::from(region.0), digest.0]);
@@ -213,14 +217,11 @@ impl City {
     /// A number for what differs in a region from how it was made; none if nothing does, or nobody has been there.
     pub fn region_digest(&self, region: RegionId) -> Option<Digest> {
         let active = self.active.get(&region).filter(|environment| !environment.is_as_made()).map(Environment::digest);
-        active.or_else(|| Some(self.as_woken(self.asleep.get(&region)?).digest()))
+        active.or_else(|| self.digest_of(region, self.asleep.get(&region)?))
     }
 
-    /// A region that was left as it is now.
-    fn as_woken(&self, environment: &Environment) -> Environment {
-        let mut woken = environment.clone();
-        woken.step(Span(self.tick.0.saturating_sub(woken.tick().0)));
-        woken
+    fn digest_of(&self, region: RegionId, dormant: &Dormant) -> Option<Digest> {
+        Some(self.as_woken(region, dormant).ok()?.digest())
     }
 
     /// Lets an agent take only portals of which something holds: no lifts, say. Windows are never taken. It is no part of

@@ -205,7 +205,7 @@ impl Look<'_> {
             }
             let there = self.city.seen(way.region)?;
             let seen = there.graph().glimpse(agent, way.room, |node| self.sees(node, way, &pose));
-            // Of a room behind a shut door nothing is seen but the door, or not even that.
+            // Behind a shut door nothing is seen of a room, and the door only from near enough.
             if !way.is_open && way.door.is_none_or(|door| !seen.sees(door)) {
                 continue;
             }

@@ -8,7 +8,7 @@ use vc_graph::space::{Portal, PortalId, RegionId, Space};
 use vc_graph::{ChangeSet, NodeId, Pose};
 
 use super::journey::{Journey, Stage};
-use super::measures::{FARTHEST, RETREATS, STAYS};
+use super::measures::FARTHEST;
 use super::{City, CityError, RegionLabel, way};
 use crate::Environment;
 
@@ -25,7 +25,7 @@ pub(super) struct Crossing {
     /// The way in the region in which it is, metres.
     way: Vec<Point3<f32>>,
     /// The place beyond that is kept for it.
-    spot: Point2<f32>,
+    pub(super) spot: Point2<f32>,
     /// When it has begun this way, without the time for which it has waited.
     begun: Tick,
     /// How long somebody has been in its way.
@@ -82,7 +82,7 @@ impl Crossing {
     }
 
     /// Goes another way, from now on.
-    fn sets_out(&mut self, way: Vec<Point3<f32>>, now: Tick) {
+    pub(super) fn sets_out(&mut self, way: Vec<Point3<f32>>, now: Tick) {
         (self.way, self.begun, self.held) = (way, now, Span(0));
     }
 }
@@ -270,41 +270,5 @@ impl City {
             }
         }
         Ok((spot, left.then(entered)))
-    }
-
-    /// Whoever has waited long enough on a threshold goes back, so that others get through and doors can shut, and those
-    /// behind with it. Out of a lift and on stairs one waits longer.
-    fn go_back_in_time(&mut self, agent: NodeId, plan: &Portal, crossing: &mut Crossing) -> Result<(), CityError> {
-        let is_alone = plan.stairs.is_empty() && self.lifts.get(crossing.from).is_none();
-        if crossing.held < if is_alone { RETREATS } else { STAYS } {
-            return Ok(());
-        }
-        let no_room = CityError::of_no_floor(self.region_label(crossing.into));
-        if !is_alone {
-            return Err(no_room);
-        }
-        let behind = self
-            .journeys
-            .iter()
-            .filter(|(id, journey)| **id != agent && journey.crossing().is_some_and(|other| other.follows(crossing)));
-        for id in behind.map(|(id, _)| *id).collect::<Vec<NodeId>>() {
-            let Some(Stage::Crossing(mut other)) = self.journeys.get(&id).map(|journey| journey.stage.clone()) else {
-                continue;
-            };
-            if self.go_back(id, plan, &mut other).is_some()
-                && let Some(journey) = self.journeys.get_mut(&id)
-            {
-                journey.stage = Stage::Crossing(other);
-            }
-        }
-        self.go_back(agent, plan, crossing).ok_or(no_room)
-    }
-
-    /// Turns back to a free place before a portal, if there is one.
-    fn go_back(&self, agent: NodeId, plan: &Portal, crossing: &mut Crossing) -> Option<()> {
-        let (spot, feet) = (self.spot_before(agent, plan, crossing.from)?, self.feet(agent)?.translation.vector);
-        (crossing.goes_back, crossing.spot) = (true, spot);
-        crossing.sets_out(vec![feet.into(), Point3::new(spot.x, spot.y, feet.z)], self.tick);
-        Some(())
     }
 }

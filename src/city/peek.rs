@@ -1,24 +1,47 @@
 //! Regions as they are now for whoever looks, whether or not anybody is there: from a cache that nothing else reads.
 
 use std::borrow::Cow;
-use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 
+use vc_graph::AssetLibrary;
 use vc_graph::clock::Span;
 use vc_graph::space::RegionId;
 
-use super::measures::MADE;
+use super::dormant::Changes;
+use super::measures::{FIGURES, MADE};
 use super::{City, CityError, time};
 use crate::Environment;
 #[cfg(feature = "render")]
 use crate::environment::JoinedHomes;
+use crate::environment::shapes_as_text;
 
 /// Whatever it costs to look at regions where nobody is; clones of a city share it.
 #[derive(Default)]
 pub(super) struct Glances {
     /// Regions as they were made, the last one first.
     made: Mutex<Vec<(RegionId, Environment)>>,
+    /// The regions that were woken last, by what differs in them.
+    woken: Mutex<Vec<(Arc<Changes>, Environment)>>,
+    figures: OnceLock<String>,
     #[cfg(feature = "render")]
-    pub(super) joined: Mutex<Vec<std::sync::Arc<JoinedHomes>>>,
+    pub(super) joined: Mutex<Vec<Arc<JoinedHomes>>>,
+}
+
+impl Glances {
+    /// A thread that panicked left nothing half done there.
+    pub(super) fn woken(&self) -> MutexGuard<'_, Vec<(Arc<Changes>, Environment)>> {
+        self.woken.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// The shapes of the first agents as text.
+    pub(super) fn figures(&self) -> &str {
+        self.figures.get_or_init(|| {
+            let mut library = AssetLibrary::default();
+            // Whoever cannot be added is written with a region instead.
+            (0..FIGURES).for_each(|looks| drop(vc_people::add_to(&mut library, looks)));
+            shapes_as_text(&Arc::new(library))
+        })
+    }
 }
 
 impl City {
@@ -48,7 +71,7 @@ impl City {
             return Ok(Cow::Borrowed(environment));
         }
         let mut environment = match self.asleep.get(&region) {
-            Some(environment) => environment.clone(),
+            Some(dormant) => self.as_it_fell_asleep(region, dormant)?,
             None => self.first(region)?,
         };
         environment.step(Span(self.tick.0.saturating_sub(environment.tick().0)));

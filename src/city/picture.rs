@@ -58,7 +58,7 @@ impl City {
     /// | frame | all regions are placed in that of the viewpoint's region, from the `f64` origins of both; depth, normals and flow are as in [`Environment::render`] |
     /// | ids | node numbers, which no two regions share: [`region_of`](Self::region_of) says the region of one, [`peek`](Self::peek) has its node, wherever it is |
     /// | regions where nobody is | are made from their seed and what has changed there, for the picture only |
-    /// | shut doors | the region behind is drawn if the leaf is its own: its walls, floors, doors, windows, curtains and blinds, without what is within |
+    /// | shut doors | the region behind is drawn from outside: its walls, floors, doors, windows, curtains and blinds, without what is within. Behind the shut door of the region itself so are all that are seen from there: they shade its windows |
     /// | light | goes through open portals as through the doors of a home, both ways, and shadows fall from region to region; beyond the regions that are drawn there is the sky |
     /// | the sun | stands in the world, wherever a region is turned |
     /// | from above | a region alone, as [`Environment::render`] has it |

@@ -11,10 +11,11 @@ impl City {
     /// The environment of a region, which is made or woken if it is not there.
     pub(super) fn wake(&mut self, region: RegionId) -> Result<&mut Environment, CityError> {
         if !self.active.contains_key(&region) {
-            let mut environment = match self.asleep.remove(&region) {
-                Some(environment) => environment,
+            let mut environment = match self.asleep.get(&region) {
+                Some(dormant) => self.as_it_fell_asleep(region, dormant)?,
                 None => self.first(region)?,
             };
+            self.asleep.remove(&region);
             // Time has passed there as well; nobody could tell the difference.
             environment.step(Span(self.tick.0.saturating_sub(environment.tick().0)));
             self.active.insert(region, environment);
@@ -54,7 +55,8 @@ impl City {
             // A region that nobody has changed, or done more in than walk, is made anew the next time.
             let is_done = |event: &Event| event.action.verb != Verb::Walk;
             if !environment.is_as_made() || environment.history().events().iter().any(is_done) {
-                self.asleep.insert(region, environment);
+                let dormant = self.asleep(region, environment);
+                self.asleep.insert(region, dormant);
             }
         }
     }
@@ -68,13 +70,7 @@ impl City {
 
     /// Whether the leaf of a door or window is open.
     pub(super) fn is_open(&self, leaf: NodeId) -> bool {
-        let environment = |region: &RegionId| self.active.get(region).or_else(|| self.asleep.get(region));
         let Some(region) = self.region_of(leaf) else { return false };
-        let is_open = |home: &Environment| home.graph().node(leaf).is_some_and(|node| node.is(State::Open));
-        match environment(&region) {
-            Some(home) => is_open(home),
-            // As it is made.
-            None => self.first(region).is_ok_and(|home| is_open(&home)),
-        }
+        self.seen(region).is_ok_and(|there| there.graph().node(leaf).is_some_and(|node| node.is(State::Open)))
     }
 }

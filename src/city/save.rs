@@ -7,8 +7,9 @@ use serde::{Deserialize, Serialize};
 use vc_graph::clock::Tick;
 use vc_graph::format::native;
 use vc_graph::space::RegionId;
-use vc_graph::{NodeId, ObjectNames};
+use vc_graph::{Digest, NodeId, ObjectNames};
 
+use super::dormant::{Changes, Dormant};
 use super::journey::Journey;
 use super::lift::{Lift, Lifts};
 use super::{City, CityError, RegionLabel};
@@ -39,8 +40,22 @@ struct SavedCity {
     lifts: BTreeMap<RegionId, Lift>,
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     stops: BTreeMap<NodeId, bool>,
-    /// The regions in the order of the parts that follow, and whether they are there.
-    regions: Vec<(RegionId, bool)>,
+    /// The settings of the regions.
+    settings: Option<String>,
+    /// The regions in the order of the parts that follow.
+    regions: Vec<SavedRegion>,
+}
+
+/// A region of a saved city. Its difference from its reference is a part of its own.
+#[derive(Clone, Copy, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct SavedRegion {
+    region: RegionId,
+    is_active: bool,
+    /// Digest of its scene as it is made.
+    start: u64,
+    /// Digest of the bytes from which it differs.
+    reference: u64,
 }
 
 /// Why a city cannot be saved or restored.
@@ -100,9 +115,11 @@ impl From<PartsFault> for CitySaveError {
 }
 
 impl City {
-    /// The city as bytes, for [`restore`](Self::restore), at any time, also in the middle of journeys: each region that
-    /// differs from how it is made (as [`Environment::save`]), who is where, ways and lifts. Regions that are as they are made
-    /// and have nobody in them take nothing. [`set_ways`](Self::set_ways) is not in it.
+    /// The city as bytes, for [`restore`](Self::restore), at any time, also in the middle of journeys: what differs in each
+    /// region from how it is made, with bodies and actions as [`Environment::save`] has them, who is where, ways and lifts.
+    /// Regions that are as they are made and have nobody in them take nothing. [`set_ways`](Self::set_ways) is not in it.
+    ///
+    /// A home in which somebody lives takes some tens of kilobytes (seven megabytes whole), and the time to make and write it.
     ///
     /// ```
     /// use virtualcity::City;
@@ -127,15 +144,22 @@ impl City {
         if !self.endings.is_empty() {
             return Err(CitySaveError::Unread(self.endings.len()));
         }
-        let active = self.active.iter().map(|(region, environment)| (*region, environment, true));
-        let asleep = self.asleep.iter().map(|(region, environment)| (*region, environment, false));
-        let all: Vec<(RegionId, &Environment, bool)> = active.chain(asleep).collect();
-        let save = |(region, environment, _): &(RegionId, &Environment, bool)| {
-            environment
-                .save()
-                .map_err(|why| CitySaveError::Region { region: self.region_label(*region), why: Arc::new(why) })
-        };
-        let regions = all.iter().map(save).collect::<Result<Vec<_>, _>>()?;
+        let mut regions = Vec::new();
+        for (region, environment) in &self.active {
+            let changes = self.changes_of(*region, environment).map_err(Box::new)?;
+            regions.push((self.saved_region(*region, true, &changes)?, Arc::new(changes)));
+        }
+        for (region, dormant) in &self.asleep {
+            let changes = match dormant {
+                Dormant::Changes(changes) => changes.clone(),
+                Dormant::Whole(environment) => self.changes_of(*region, environment).map_err(Box::new)?.into(),
+            };
+            regions.push((self.saved_region(*region, false, &changes)?, changes));
+        }
+        let settings = self.active.iter().next().map(|(region, environment)| {
+            let fault = |why| CitySaveError::Region { region: self.region_label(*region), why: Arc::new(why) };
+            environment.saved_settings().map_err(fault)
+        });
         let changes =
             self.journeys.iter().map(|(agent, journey)| Ok((*agent, serde_json::to_string(&journey.changes)?)));
         let called = self.journeys.iter().filter_map(|(agent, journey)| Some((*agent, journey.action?.called)));
@@ -150,10 +174,12 @@ impl City {
             journeys: self.journeys.clone(),
             lifts: self.lifts.all().clone(),
             stops: self.stops.clone(),
-            regions: all.iter().map(|(region, _, is_active)| (*region, *is_active)).collect(),
+            settings: settings.transpose()?,
+            regions: regions.iter().map(|(saved, _)| *saved).collect(),
         };
         let head = serde_json::to_vec(&saved)?;
-        let parts: Vec<&[u8]> = std::iter::once(&head).chain(&regions).map(Vec::as_slice).collect();
+        let changes = regions.iter().map(|(_, changes)| &changes.bytes);
+        let parts: Vec<&[u8]> = std::iter::once(&head).chain(changes).map(Vec::as_slice).collect();
         Ok(parts::joined(MAGIC, &parts))
     }
 
@@ -177,13 +203,14 @@ impl City {
             return Err(CitySaveError::NotSaved);
         }
         let (mut active, mut asleep) = (BTreeMap::new(), BTreeMap::new());
-        for ((region, is_active), bytes) in saved.regions.iter().zip(regions) {
-            let restored = self.restored_region(*region, bytes)?;
-            if *is_active {
-                active.insert(*region, restored)
+        for (saved_region, bytes) in saved.regions.iter().zip(regions) {
+            let restored = self.restored_region(saved_region, saved.settings.as_deref(), bytes)?;
+            if saved_region.is_active {
+                active.insert(saved_region.region, restored);
             } else {
-                asleep.insert(*region, restored)
-            };
+                let changes = Changes { bytes: bytes.to_vec(), reference: Digest(saved_region.reference) };
+                asleep.insert(saved_region.region, Dormant::Changes(changes.into()));
+            }
         }
         if !self.is_sound(&saved, &active) {
             return Err(CitySaveError::Damaged);
@@ -229,11 +256,25 @@ impl City {
             && saved.journeys.values().all(|journey| journey.is_sound(self.space(), saved.tick))
     }
 
-    fn restored_region(&self, region: RegionId, bytes: &[u8]) -> Result<Environment, CitySaveError> {
-        let made = self.made(region).map_err(Box::new)?;
-        made.restore(bytes).map_err(|why| match why {
-            SaveError::OtherStart { .. } => CitySaveError::OtherRegion(self.region_label(region)),
-            why => CitySaveError::Region { region: self.region_label(region), why: Arc::new(why) },
-        })
+    fn saved_region(&self, region: RegionId, is_active: bool, changes: &Changes) -> Result<SavedRegion, CitySaveError> {
+        let start = self.first(region).map_err(Box::new)?.start().digest().0;
+        Ok(SavedRegion { region, is_active, start, reference: changes.reference.0 })
+    }
+
+    /// A region with its changes, if it is still made as when it was saved.
+    fn restored_region(
+        &self,
+        saved: &SavedRegion,
+        settings: Option<&str>,
+        changes: &[u8],
+    ) -> Result<Environment, CitySaveError> {
+        let reference = self.reference(saved.region).map_err(Box::new)?;
+        let fault = |why| CitySaveError::Region { region: self.region_label(saved.region), why: Arc::new(why) };
+        settings.map_or(Ok(()), |settings| reference.made.check_settings(settings)).map_err(fault)?;
+        let is_same = reference.made.start().digest().0 == saved.start && reference.digest().0 == saved.reference;
+        if !is_same {
+            return Err(CitySaveError::OtherRegion(self.region_label(saved.region)));
+        }
+        reference.restored(changes).map_err(fault)
     }
 }

@@ -21,11 +21,12 @@ pub(super) struct InSight {
 
 impl City {
     /// The regions that are seen from a point of one, itself first, then in the order of their numbers: those behind up to
-    /// three doors or windows that one can see through, and from outside those whose shut doors are on such a way.
+    /// three doors or windows that one can see through, and from outside those whose shut doors are on such a way. Behind a
+    /// shut door of its own stand the same regions, from outside: they shade its windows.
     pub(super) fn in_sight(&self, from: RegionId, eye: &Point3<f32>) -> Vec<InSight> {
         let mut found = BTreeMap::from([(from, true)]);
-        let mut ahead = VecDeque::from([(from, 0)]);
-        while let Some((region, portals)) = ahead.pop_front() {
+        let mut ahead = VecDeque::from([(from, 0, true)]);
+        while let Some((region, portals, is_seen)) = ahead.pop_front() {
             for portal in self.space().portals_of(region) {
                 let Some((side, is_open)) = self.beyond(portal, region) else { continue };
                 // A stair or a gallery in the open hides nothing: what is behind no more doors comes first.
@@ -33,15 +34,16 @@ impl City {
                 if is_open && is_door && portals == PORTALS {
                     continue;
                 }
+                let (goes_on, is_open) = (is_open || region == from, is_seen && is_open);
                 let is_known = found.get(&side.region).is_some_and(|known| *known || !is_open);
                 let at = self.pose_in(from, side.region).map(|pose| pose * Point3::from(side.pose.translation.vector));
                 if is_known || at.is_none_or(|at| distance(&at, eye) > FAR) {
                     continue;
                 }
                 found.insert(side.region, is_open);
-                match (is_open, is_door) {
-                    (true, true) => ahead.push_back((side.region, portals + 1)),
-                    (true, false) => ahead.push_front((side.region, portals)),
+                match (goes_on, is_door) {
+                    (true, true) => ahead.push_back((side.region, portals + 1, is_open)),
+                    (true, false) => ahead.push_front((side.region, portals, is_open)),
                     (false, _) => {}
                 }
             }
@@ -57,10 +59,8 @@ impl City {
         let plan = self.space().portal(portal)?;
         let across = plan.across(region)?;
         let is_open = self.portal(portal)?.transparent;
-        // A lift elsewhere is not seen; a shut door is, if it stands in the region beyond.
-        let is_shut_door = || {
-            self.lifts.at(plan).is_none() && plan.leaf.is_some_and(|leaf| self.region_of(leaf) == Some(across.region))
-        };
+        // A lift elsewhere is not seen.
+        let is_shut_door = || self.lifts.at(plan).is_none() && plan.leaf.is_some();
         (is_open || is_shut_door()).then_some((across, is_open))
     }
 }

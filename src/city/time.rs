@@ -44,7 +44,7 @@ pub(super) fn opens_or_shuts(verb: Verb) -> bool {
 impl City {
     /// Gives an agent an action, which begins in the next tick of [`step`](Self::step), as [`Environment::give`](crate::Environment::give)
     /// does. A walk to something in another region leads there, one to the door of another region before it; from there it is
-    /// opened and shut. What the rule refuses ends at once. Pushing a [button](vc_graph::space::Portal::buttons) calls
+    /// opened and shut. An action that the rule refuses ends at once. Pushing a [button](vc_graph::space::Portal::buttons) calls
     /// the lift; its doors open and shut by themselves only.
     ///
     /// # Errors

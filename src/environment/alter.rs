@@ -437,7 +437,7 @@ impl Environment {
 
     fn stands_at(&self, agent: NodeId, at: &Point2<f32>) -> bool {
         let feet = Pose::translation(at.x, at.y, self.floor.options().level);
-        // Of somebody who is not here yet no body can be tried.
+        // No body can be tried of somebody who is not here yet.
         let fits = || self.world.standing(agent, &feet).is_ok_and(|there| there.is_free());
         self.floor.is_free(*at) && (self.world.pose(agent).is_none() || fits())
     }

@@ -64,6 +64,7 @@ pub use pictures::{
 #[cfg(feature = "render")]
 pub(crate) use pictures::{Named, Register};
 pub use reset::{Displaced, ResetReport, Unplaced, UnplacedReason};
+pub(crate) use save::shapes_as_text;
 pub use scene::Assets;
 #[cfg(feature = "render")]
 pub use sensing::{LidarScan, Reading, Sensor, SensorError, SensorId, SensorView};

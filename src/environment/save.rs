@@ -103,15 +103,18 @@ impl Environment {
         Ok(copy)
     }
 
-    /// All shapes as a scene without nodes; nothing if they are those of the start.
+    /// The bytes of which saves of environments that were made like this one consist for the most part: its own save and all
+    /// its shapes.
+    pub(crate) fn reference(&self) -> Result<Vec<u8>, SaveError> {
+        let mut bytes = self.save()?;
+        bytes.extend(shapes_as_text(self.start.graph.assets()).bytes());
+        Ok(bytes)
+    }
+
+    /// All shapes as text; nothing if they are those of the start.
     fn own_shapes(&self) -> String {
         let (own, first) = (self.graph.assets(), self.start.graph.assets());
-        if Arc::ptr_eq(own, first) || own == first {
-            return String::new();
-        }
-        let mut shapes = SceneBuilder::new("shapes");
-        shapes.assets(own.clone());
-        native::write(&shapes.build())
+        if Arc::ptr_eq(own, first) || own == first { String::new() } else { shapes_as_text(own) }
     }
 
     fn read_shapes(&self, text: &str) -> Result<Arc<AssetLibrary>, SaveError> {
@@ -128,6 +131,13 @@ impl Environment {
         builder.assets(shapes).number_from(next);
         Ok(builder.build())
     }
+}
+
+/// Shapes as text: that of a scene without nodes.
+pub(crate) fn shapes_as_text(shapes: &Arc<AssetLibrary>) -> String {
+    let mut scene = SceneBuilder::new("shapes");
+    scene.assets(shapes.clone());
+    native::write(&scene.build())
 }
 
 /// A scene as text, but for the shapes of its things.

@@ -15,12 +15,12 @@ type Told = BTreeMap<String, String>;
 
 impl Environment {
     /// The settings that change what follows. Those of pictures, sensors and threads do not.
-    pub(super) fn saved_settings(&self) -> Result<String, SaveError> {
+    pub(crate) fn saved_settings(&self) -> Result<String, SaveError> {
         serde_json::to_string(&self.told_settings()).map_err(SaveError::Settings)
     }
 
     /// Refuses a save that was made under other settings.
-    pub(super) fn check_settings(&self, saved: &str) -> Result<(), SaveError> {
+    pub(crate) fn check_settings(&self, saved: &str) -> Result<(), SaveError> {
         let (saved, own): (Told, Told) =
             (serde_json::from_str(saved).map_err(SaveError::Settings)?, self.told_settings());
         let value = |told: &Told, name: &str| told.get(name).map_or("nothing", String::as_str).to_owned();

@@ -34,6 +34,10 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
+//! A front door is a thing of both its sides: from the gallery `walk main_door.N` ends before it, and `open` and `close` move
+//! it; [`City::legal_actions`](crate::City::legal_actions) lists these. Many at one door or lift heed each other: one waits until there is
+//! room beyond, those who stand in the way step aside, and whoever has no room in a lift takes the next ride.
+//!
 //! # Seen through doors
 //!
 //! Pictures and observations reach through open doors and other portals, also into regions where nobody is; looking changes

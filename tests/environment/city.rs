@@ -2,6 +2,7 @@
 
 mod doors;
 mod passing;
+mod saves;
 mod sight;
 mod together;
 mod worlds;

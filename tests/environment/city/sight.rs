@@ -2,11 +2,11 @@
 
 use virtualcity::graph::clock::Span;
 use virtualcity::graph::space::RegionId;
-use virtualcity::graph::{Action, Digest, Goal, NodeId, Seed, Verb};
+use virtualcity::graph::{Action, Digest, Goal, NodeId, SceneBuilder, Seed, Verb};
 use virtualcity::nalgebra::{Isometry3, Point3};
 use virtualcity::procgen::{Building, BuildingStorey};
-use virtualcity::render::{Camera, Frame, Modalities, Modality};
-use virtualcity::{City, CityError, GoalScope, Viewpoint};
+use virtualcity::render::{Adaptation, Camera, Frame, Modalities, Modality};
+use virtualcity::{City, CityError, Environment, GoalScope, PictureOptions, Viewpoint};
 
 use super::{CABIN, YARD, city, landing, of_class};
 
@@ -237,4 +237,41 @@ fn an_open_front_door_shows_the_gallery() {
     city.set_action(me, Action::walk(sofa)).unwrap();
     let later = city.render(view, wanted, SIZE.0, SIZE.1).unwrap();
     assert!(is_same(&copy(&city).render(view, wanted, SIZE.0, SIZE.1).unwrap(), &later));
+}
+
+/// By one exposure: daylight falls through an open front door onto the floor of the hall.
+#[test]
+fn light_falls_through_an_open_front_door() {
+    let dim_and_bright = |seed: u64| {
+        let building = Building::from_seed(Seed(seed)).unwrap();
+        let storey = building.storeys()[0].clone();
+        let adapts = Some(Adaptation { from: [1.0; 3], share: 0.0 });
+        let settings = Environment::builder_from_scene(SceneBuilder::new("").build());
+        let settings = settings.pictures(PictureOptions { adapts, ..PictureOptions::default() });
+        let mut city = City::of(building).settings(settings).make().unwrap();
+        let me = city.agents().next().unwrap();
+        let portal = city.space().portal(storey.front_doors[0]).unwrap();
+        let (door, side) = (portal.leaf.unwrap(), portal.side(storey.homes[0]).unwrap().pose);
+        // Nobody stands in the picture.
+        let [eye, to] = [[-2.0, 0.0, 1.5], [-0.9, 0.0, 0.0]].map(|at| side * Point3::from(at));
+        let floor = (storey.homes[0], Viewpoint::Free(Camera::with_fov(32, 32, 0.4).looking(eye, to)));
+        let wanted = Modality::Rgb | Modality::Instance;
+        let shut = city.render(floor, wanted, 32, 32).unwrap();
+        city.set_action(me, Action::walk(door)).unwrap();
+        city.set_action(me, Action::one(Verb::Open, door)).unwrap();
+        let sofa = of_class(&city, storey.homes[0], "sofa");
+        city.set_action(me, Action::walk(sofa)).unwrap();
+        let open = city.render(floor, wanted, 32, 32).unwrap();
+        let same = |i: &usize| open.instance[*i] == shut.instance[*i];
+        let mean = |frame: &Frame| {
+            let all: Vec<f32> = (0..frame.instance.len()).filter(same).map(|i| f32::from(frame.rgb[i][1])).collect();
+            assert!(all.len() > 500);
+            all.iter().sum::<f32>() / all.len() as f32
+        };
+        (mean(&shut), mean(&open))
+    };
+    for seed in [3, 7] {
+        let (dim, bright) = dim_and_bright(seed);
+        assert!(bright > 1.2 * dim, "building {seed}: {bright} with the door open, {dim} shut");
+    }
 }

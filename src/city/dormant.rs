@@ -1,0 +1,109 @@
+//! Regions in which nobody is: kept as what differs from how they are made.
+
+use std::sync::Arc;
+
+use vc_graph::Digest;
+use vc_graph::clock::Span;
+use vc_graph::hash::Digester;
+use vc_graph::space::RegionId;
+
+use super::measures::MADE;
+use super::{City, CityError};
+use crate::environment::SaveError;
+use crate::{Environment, delta};
+
+/// A region that somebody has changed, while nobody is in it.
+#[derive(Clone)]
+pub(super) enum Dormant {
+    /// The difference from how it is made: some tens of kilobytes, where an environment has megabytes.
+    Changes(Arc<Changes>),
+    /// One that cannot be saved: all of it.
+    Whole(Box<Environment>),
+}
+
+/// How the save of a region differs from its reference.
+pub(super) struct Changes {
+    pub(super) bytes: Vec<u8>,
+    pub(super) reference: Digest,
+}
+
+/// A region as it is made, and the bytes of which its saves consist for the most part, whatever happens there: its own save,
+/// its shapes, and those of the agents.
+pub(super) struct Reference {
+    pub(super) made: Environment,
+    bytes: Vec<u8>,
+}
+
+impl Reference {
+    /// A number for the bytes.
+    pub(super) fn digest(&self) -> Digest {
+        let mut hash = Digester::new();
+        let words = self.bytes.chunks(8).map(|chunk| chunk.iter().fold(0, |word, byte| word << 8 | u64::from(*byte)));
+        hash.words(words.chain([self.bytes.len() as u64]));
+        hash.digest()
+    }
+
+    /// The difference of a region from how it is made.
+    pub(super) fn changes(&self, environment: &Environment) -> Result<Changes, SaveError> {
+        let bytes = delta::between(&self.bytes, &environment.save()?);
+        Ok(Changes { bytes, reference: self.digest() })
+    }
+
+    /// The region with what differs in it.
+    pub(super) fn restored(&self, changes: &[u8]) -> Result<Environment, SaveError> {
+        self.made.restore(&delta::applied(&self.bytes, changes).ok_or(SaveError::Damaged)?)
+    }
+}
+
+impl City {
+    /// The reference of a region. Costs some tens of milliseconds.
+    pub(super) fn reference(&self, region: RegionId) -> Result<Reference, CityError> {
+        let made = self.first(region)?;
+        let mut bytes = made.reference().map_err(|why| self.unsaved(region, why))?;
+        bytes.extend(self.glances.figures().bytes());
+        Ok(Reference { made, bytes })
+    }
+
+    fn unsaved(&self, region: RegionId, why: SaveError) -> CityError {
+        CityError::Scene { region: self.region_label(region), why: Arc::new(why) }
+    }
+
+    /// The difference of a region from how it is made.
+    pub(super) fn changes_of(&self, region: RegionId, environment: &Environment) -> Result<Changes, CityError> {
+        self.reference(region)?.changes(environment).map_err(|why| self.unsaved(region, why))
+    }
+
+    /// A region that goes to sleep.
+    pub(super) fn asleep(&self, region: RegionId, environment: Environment) -> Dormant {
+        match self.changes_of(region, &environment) {
+            Ok(changes) => Dormant::Changes(changes.into()),
+            Err(_) => Dormant::Whole(Box::new(environment)),
+        }
+    }
+
+    /// A region that sleeps, as it fell asleep. The last that were woken are known.
+    pub(super) fn as_it_fell_asleep(&self, region: RegionId, dormant: &Dormant) -> Result<Environment, CityError> {
+        let changes = match dormant {
+            Dormant::Whole(environment) => return Ok((**environment).clone()),
+            Dormant::Changes(changes) => changes,
+        };
+        let mut woken = self.glances.woken();
+        let known = woken.iter().position(|(own, _)| Arc::ptr_eq(own, changes));
+        let known = known.map(|at| woken.remove(at).1);
+        drop(woken);
+        let restored = || self.reference(region)?.restored(&changes.bytes).map_err(|why| self.unsaved(region, why));
+        let environment = known.map_or_else(restored, Ok)?;
+        let mut woken = self.glances.woken();
+        woken.insert(0, (changes.clone(), environment.clone()));
+        woken.truncate(MADE);
+        Ok(environment)
+    }
+
+    /// A region that sleeps, as it is now.
+    pub(super) fn as_woken(&self, region: RegionId, dormant: &Dormant) -> Result<Environment, CityError> {
+        let mut woken = self.as_it_fell_asleep(region, dormant)?;
+        // Time has passed there as well; nobody could tell the difference.
+        woken.step(Span(self.tick.0.saturating_sub(woken.tick().0)));
+        Ok(woken)
+    }
+}

@@ -1,0 +1,71 @@
+//! How much a saved city and a region that sleeps take, and that both are what they were.
+
+use virtualcity::City;
+use virtualcity::graph::clock::Span;
+use virtualcity::graph::space::RegionId;
+use virtualcity::graph::{Action, NodeId, Verb};
+
+use super::{YARD, city, landing, move_cup, of_class};
+
+/// Four who have walked about in a building, one of whom has opened a fridge.
+fn lived_in() -> City {
+    let mut city = City::make("building/7", 4).unwrap();
+    let agents: Vec<NodeId> = city.agents().collect();
+    let home = city.region_of(agents[0]).unwrap();
+    let fridge = of_class(&city, home, "fridge");
+    city.set_action(agents[0], Action::walk(fridge)).unwrap();
+    city.set_action(agents[0], Action::one(Verb::Open, fridge)).unwrap();
+    let yard = city.space().regions().find(|(_, region)| &*region.name == "yard").unwrap().0;
+    city.go(agents[1], yard).unwrap();
+    city
+}
+
+/// A save has what differs from how regions are made, not all of them.
+#[test]
+fn a_saved_city_takes_what_differs() {
+    let city = lived_in();
+    let saved = city.save().unwrap();
+    let whole: usize = city.active().map(|region| city.environment(region).unwrap().save().unwrap().len()).sum();
+    assert!(saved.len() < whole / 50, "{} bytes instead of {whole}", saved.len());
+    let restored = City::make("building/7", 4).unwrap().restore(&saved).unwrap();
+    assert_eq!(restored.digest(), city.digest());
+    assert_eq!(restored.save().unwrap(), saved);
+}
+
+/// A region that sleeps keeps little, and wakes as it would have gone on in a city that was saved and restored meanwhile.
+#[test]
+fn a_sleeping_region_keeps_what_differs() {
+    let mut city = city(1);
+    let me = city.agents().next().unwrap();
+    let cup = move_cup(&mut city, me);
+    let awake = city.save().unwrap().len();
+    city.go(me, YARD).unwrap();
+    city.step(Span::from_seconds(10.0));
+    assert!(city.environment(landing(0)).is_none());
+    let asleep = city.save().unwrap();
+    assert!(asleep.len() < 2 * awake, "{awake} bytes awake, {} asleep", asleep.len());
+    let mut restored = super::city(1).restore(&asleep).unwrap();
+    for city in [&mut city, &mut restored] {
+        city.go(me, landing(0)).unwrap();
+        assert_eq!(city.region_of(cup), Some(landing(0)));
+        city.set_action(me, Action::walk(cup)).unwrap();
+        city.set_action(me, Action::grab(cup)).unwrap();
+    }
+    assert_eq!(city.digest(), restored.digest());
+}
+
+/// A home that sleeps takes some kilobytes, whatever it was made of.
+#[test]
+fn a_home_that_sleeps_takes_kilobytes() {
+    let mut city = lived_in();
+    let agents: Vec<NodeId> = city.agents().collect();
+    let home = city.home(agents[0]).unwrap();
+    let yard: RegionId = city.region_of(agents[1]).unwrap();
+    city.go(agents[0], yard).unwrap();
+    city.step(Span::from_seconds(30.0));
+    assert!(city.environment(home).is_none() && city.region_digest(home).is_some());
+    let saved = city.save().unwrap().len();
+    assert!(saved < 200_000, "{saved} bytes");
+    let fridge = city.peek(home).unwrap().graph().of_class("fridge")[0];
+    assert!(city.peek(home).unwrap().graph().node(fridge).unwrap().is(virtualcity::graph::State::Open));
+}
