@@ -43,8 +43,8 @@ pub enum Structure {
 #[serde(rename_all = "snake_case")]
 #[non_exhaustive]
 pub enum Control {
-    /// Whoever has no sign goes first, then the more important road; among equals those who turn give way to oncoming traffic, and all others to whom
-    /// comes from the right.
+    /// Whoever has no sign goes first, then the more important road; among equals those who turn give way to oncoming traffic,
+    /// and all others to whom comes from the right.
     #[default]
     Priority,
     /// Everybody stops.
