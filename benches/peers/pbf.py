@@ -21,7 +21,9 @@ EXAMPLE = TARGET / "release" / "examples" / "map"
 
 
 def pack(osmium, plain, packed, metadata):
-    writer = osmium.SimpleWriter(osmium.io.File(str(packed), f"pbf,add_metadata={metadata}"))
+    # The header has the bounds, by which a map is laid out.
+    header = osmium.io.Reader(str(plain)).header()
+    writer = osmium.SimpleWriter(osmium.io.File(str(packed), f"pbf,add_metadata={metadata}"), header=header)
     for element in osmium.FileProcessor(str(plain)):
         writer.add(element)
     writer.close()

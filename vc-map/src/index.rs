@@ -1,10 +1,10 @@
 //! Lines by the boxes around their parts, in a packed tree (Leutenegger and others, 1997), to find what is near a point.
 
 use std::cmp::Reverse;
-use std::collections::BinaryHeap;
+use std::collections::{BTreeMap, BinaryHeap};
 use std::ops::Range;
 
-use crate::{Point, Polyline};
+use crate::{Point, Polyline, Projection};
 
 /// The most pieces of a line in one box.
 const RUN: usize = 16;
@@ -76,6 +76,13 @@ impl PointIndex {
         Self::packed(points.enumerate().map(part).collect())
     }
 
+    /// The index of some boxes, lower left and upper right, whose numbers are their positions.
+    pub(crate) fn of_boxes(boxes: impl Iterator<Item = [Point; 2]>) -> Self {
+        let part =
+            |(line, [low, high]): (usize, [Point; 2])| (Part { line: line as u32, piece: 0 }, Around { low, high });
+        Self::packed((0usize..).zip(boxes).map(part).collect())
+    }
+
     /// Sorts by squares ("sort, tile, recurse"), and puts boxes around eight neighbours each.
     fn packed(mut parts: Vec<(Part, Around)>) -> Self {
         let by =
@@ -124,6 +131,26 @@ impl PointIndex {
                 }
             }
         }
+    }
+
+    /// The nearest point of each line within a distance.
+    pub(crate) fn each<'a>(
+        &self,
+        point: &Point,
+        within: f64,
+        line: impl Fn(u32) -> &'a Polyline,
+    ) -> BTreeMap<u32, Projection> {
+        let mut found: BTreeMap<u32, Projection> = BTreeMap::new();
+        self.parts_around(point, within, |part| {
+            let near = line(part.line).project_on(point, part.pieces());
+            let known = found.entry(part.line).or_insert(near);
+            if near.left.abs() < known.left.abs() {
+                *known = near;
+            }
+            f64::INFINITY
+        });
+        found.retain(|_, near| near.left.abs() <= within);
+        found
     }
 
     /// The nearest line within a distance, and the first of several: its number and the station there.

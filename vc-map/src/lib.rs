@@ -16,26 +16,23 @@ pub mod picture;
 mod places;
 mod polyline;
 pub mod route;
+mod rules;
 mod section;
 mod signal;
 mod size;
 mod users;
 pub mod validate;
 
-pub use draft::{
-    Control, CrossingDraft, CrossingKind, DrivingSide, JunctionDraft, MapDraft, Origin, RoadDraft, SignDraft, SignKind,
-    Structure, TurnBan,
-};
+pub use draft::{Control, DrivingSide, JunctionDraft, MapDraft, Origin, RoadDraft, Structure};
 pub use error::MapError;
 pub use id::{
     BuildingId, CrossingId, EntranceId, JunctionId, LaneId, MovementId, RoadId, SignalId, WalkEdgeId, WalkNodeId,
 };
 pub use map::StreetMap;
-pub use parts::{
-    Arm, Bay, Entrance, Junction, Lane, Movement, Road, RoadCrossing, Stop, Turn, WalkEdge, WalkKind, WalkNode,
-};
-pub use places::{Area, AreaKind, Building, EntranceDraft, StopDraft, StopKind};
+pub use parts::{Arm, Junction, Lane, Movement, Road, RoadCrossing, Turn, WalkEdge, WalkKind, WalkNode};
+pub use places::{Area, AreaKind, Bay, Building, Entrance, EntranceDraft, Stop, StopDraft, StopKind};
 pub use polyline::{Point, Polyline, Projection};
+pub use rules::{CrossingDraft, CrossingKind, SignDraft, SignKind, TurnBan};
 pub use section::{CrossSection, RoadClass, Strip, StripKind};
 pub use signal::{ConflictTable, Light, Phase, Signal};
 pub use users::{Turns, Users};

@@ -5,7 +5,8 @@ use std::fmt;
 use std::sync::Arc;
 
 use crate::index::PointIndex;
-use crate::parts::{Entrance, Junction, Lane, Movement, Road, RoadCrossing, Stop, WalkEdge, WalkNode};
+use crate::parts::{Junction, Lane, Movement, Road, RoadCrossing, WalkEdge, WalkNode};
+use crate::places::{Entrance, Stop};
 use crate::signal::Signal;
 use crate::size::Holds;
 use crate::{

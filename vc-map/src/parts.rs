@@ -3,8 +3,8 @@
 use nalgebra::Vector2;
 
 use crate::{
-    BuildingId, ConflictTable, CrossingId, CrossingKind, DrivingSide, JunctionDraft, JunctionId, LaneId, MovementId,
-    Point, Polyline, RoadDraft, RoadId, SignKind, SignalId, StripKind, Turns, Users, WalkEdgeId, WalkNodeId,
+    ConflictTable, CrossingId, CrossingKind, DrivingSide, JunctionDraft, JunctionId, LaneId, MovementId, Point,
+    Polyline, RoadDraft, RoadId, SignKind, SignalId, StripKind, Turns, Users, WalkNodeId,
 };
 
 /// A road of a map.
@@ -263,68 +263,4 @@ pub struct WalkEdge {
     pub line: Polyline,
     /// Whether it is steps.
     pub steps: bool,
-}
-
-/// A door of a building and the point of the walkable network before it.
-#[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
-pub struct Entrance {
-    /// The building.
-    pub building: BuildingId,
-    /// The door.
-    pub door: Point,
-    /// The edge of the walkable network before the door, if one is within 200 m.
-    pub edge: Option<WalkEdgeId>,
-    /// Where on that edge, metres from its first end.
-    pub station: f64,
-    /// Whether the door was guessed.
-    pub guessed: bool,
-}
-
-/// A parking bay along a road.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
-pub struct Bay {
-    /// The lane of bays.
-    pub lane: LaneId,
-    /// Its middle.
-    pub at: Point,
-    /// The heading of a vehicle that stands in it, radians.
-    pub heading: f64,
-    /// The length and width of such a vehicle's place, metres.
-    pub size: [f64; 2],
-}
-
-/// A stop with the lanes before it.
-///
-/// ```
-/// use vc_map::{StopDraft, StopKind};
-/// # use vc_map::{Control, CrossSection, MapDraft, RoadClass, Strip};
-/// # let mut draft = MapDraft::new("street", 48.1, 11.6);
-/// # let ends = [[0.0, 0.0], [100.0, 0.0], [200.0, 0.0]].map(|at| draft.junction(at, Control::Priority));
-/// # let side = vec![Strip::driving(3.0, 8.3), Strip::pavement(2.0)];
-/// # for pair in ends.windows(2) {
-/// #     let section = CrossSection { forward: side.clone(), backward: side.clone(), median: 0.0 };
-/// #     draft.road(pair[0], pair[1], RoadClass::Residential, section);
-/// # }
-/// // a street along X
-/// draft.stops.push(StopDraft { kind: StopKind::Bus, at: [40.0, -4.0], name: None, source: 0 });
-/// let map = draft.build()?;
-/// let stop = &map.stops()[0];
-/// assert!(stop.lane.is_some_and(|(_, station)| station > 0.0) && stop.walk.is_some());
-/// # Ok::<(), vc_map::MapError>(())
-/// ```
-#[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
-pub struct Stop {
-    /// Its kind.
-    pub kind: crate::StopKind,
-    /// Its name.
-    pub name: Option<String>,
-    /// Where people wait.
-    pub at: Point,
-    /// The lane in which vehicles stop and the station there, metres, if one is within 25 m.
-    pub lane: Option<(LaneId, f64)>,
-    /// The edge of the walkable network before it and the station there, metres, if one is within 50 m.
-    pub walk: Option<(WalkEdgeId, f64)>,
 }

@@ -1,6 +1,7 @@
 //! The memory that the parts of maps hold.
 
-use crate::parts::{Arm, Entrance, Junction, Lane, Movement, Road, RoadCrossing, Stop, WalkEdge, WalkNode};
+use crate::parts::{Arm, Junction, Lane, Movement, Road, RoadCrossing, WalkEdge, WalkNode};
+use crate::places::{Entrance, Stop};
 use crate::signal::{Light, Phase, Signal};
 use crate::{
     Area, Building, BuildingId, ConflictTable, CrossSection, CrossingDraft, CrossingId, EntranceDraft, EntranceId,

@@ -1,6 +1,7 @@
 //! Parking bays, doors and stops, each beside its lane or pavement.
 
-use crate::parts::{Bay, Entrance, Lane, Stop, WalkKind};
+use crate::parts::{Lane, WalkKind};
+use crate::places::{Bay, Entrance, Stop};
 use crate::{LaneId, Point, StopKind, StreetMap, StripKind, Users};
 
 /// The length and width of a bay along the kerb, metres.

@@ -9,6 +9,9 @@ use crate::{Control, CrossingKind, JunctionId, MapDraft, RoadClass, RoadDraft, R
 const NARROW: f64 = 12.0;
 const SLOW: f64 = 14.0;
 
+/// The most carriageways in one crossing: two of a road and a slip road. Over more one comes in several.
+const MOST: usize = 3;
+
 /// A kind of crossing, and whether there is an island.
 type Crossing = (CrossingKind, bool);
 
@@ -50,6 +53,9 @@ impl<'a> CrossingRule<'a> {
 
     /// How one crosses some roads, if the map has a crossing there.
     pub(super) fn given(&self, at: &At, over: &[RoadId]) -> Option<Crossing> {
+        if over.len() > MOST {
+            return None;
+        }
         let (kind, island) = *over.iter().filter_map(|road| self.given.get(&(at.id, *road))).min()?;
         let lights = at.control == Control::Signals && kind != CrossingKind::Unmarked;
         Some((if lights { CrossingKind::Signals } else { kind }, island))
@@ -60,6 +66,9 @@ impl<'a> CrossingRule<'a> {
         let roads = || over.iter().map(|road| self.road(*road));
         let banned = roads().any(|road| road.class == RoadClass::Motorway);
         let lit = at.control == Control::Signals;
+        if over.len() > MOST {
+            return None;
+        }
         if lit && at.streets > 2 && !banned {
             return Some((CrossingKind::Signals, false));
         }

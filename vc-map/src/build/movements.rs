@@ -11,6 +11,8 @@ use crate::{DrivingSide, JunctionId, LaneId, MapDraft, MapError, MovementId, Roa
 
 /// Turns of less than this are straight on: its sine, for 35 degrees.
 const STRAIGHT: f64 = 0.574;
+/// Branches that bend by less than this are ahead: its sine, for 70 degrees.
+const FORK: f64 = 0.94;
 /// The cosine beyond which a turn leads back, for 160 degrees.
 const BACK: f64 = -0.94;
 /// Trams and trains turn by less than this: its cosine, for 60 degrees.
@@ -233,6 +235,11 @@ impl Crossroads<'_> {
         }
         if picked.is_empty() && !open.iter().any(|(other, _)| has(&marked, mark(&marked, open, other))) {
             picked = (0..incoming.len()).collect();
+        }
+        // A branch for which no lane is marked is taken from the lane on its side: where streets fork all lanes lead ahead.
+        if picked.is_empty() && target.leftward.abs() < FORK {
+            let lane = if target.turn.crosses_divider(self.side) { 0 } else { incoming.len() - 1 };
+            picked.push(lane);
         }
         picked.into_iter().map(|index| incoming[index]).collect()
     }

@@ -7,7 +7,7 @@ use crate::{Control, MapDraft, Polyline, Users};
 const BEFORE_CROSSING: f64 = 1.5;
 const BEFORE_JUNCTION: f64 = 1.0;
 
-/// Fills in the signs at the ends of lanes. Of two the one that asks for more holds.
+/// Fills in the signs at the ends of lanes. The stricter of two holds.
 pub(super) fn signs(draft: &MapDraft, roads: &[Road], lanes: &mut [Lane]) {
     for sign in &draft.signs {
         let road = &roads[sign.road.index()];

@@ -13,8 +13,8 @@ const ONCOMING: f64 = -0.7;
 const BESIDE: f64 = 0.955;
 
 /// Fills in to whom each movement gives way: to who conflicts and has no sign, comes along a roundabout, from rails, from a
-/// road of a higher class, or from one that is no slip road; at a mini-roundabout to who goes around it. Among equals those who turn give way to oncoming traffic, and all others to
-/// whom comes from the right.
+/// road of a higher class, or from one that is no slip road. Among equals those who turn give way to oncoming traffic, and all
+/// others to whom comes from the right. At a mini-roundabout one gives way to who goes around it.
 pub(super) fn yields(
     draft: &MapDraft,
     junctions: &[Junction],

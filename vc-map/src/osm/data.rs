@@ -119,6 +119,11 @@ impl OsmData {
         elements + list(&self.refs) + list(&self.members) + list(&self.tags) + self.words.bytes()
     }
 
+    /// Notes the edges, as finely as places of nodes, so that each form of a file gives the same ones.
+    pub(super) fn set_bounds(&mut self, edges: [f64; 4]) {
+        self.bounds = Some(edges.map(|degrees| (degrees * 1e7).round() / 1e7));
+    }
+
     pub(super) fn open(&self) -> Open {
         Open { refs: self.refs.len(), members: self.members.len(), tags: self.tags.len() }
     }

@@ -93,7 +93,7 @@ impl OsmData {
     /// the data; the same data gives the same map.
     ///
     /// # Errors
-    /// [`OsmError::Empty`] if no way has nodes, [`OsmError::TooMuch`] if the description would take far more memory than the file.
+    /// [`OsmError::Empty`] if no way has nodes, [`OsmError::TooMuch`] if the description takes far more memory than the file.
     pub fn draft(&self, options: &ImportOptions) -> Result<(MapDraft, ImportReport), OsmError> {
         let most = OF_DESCRIPTION.saturating_mul(self.size).saturating_add(LEAST_BYTES);
         let (mut report, mut room) = (ImportReport::default(), Room(most));

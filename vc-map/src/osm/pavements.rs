@@ -46,13 +46,9 @@ fn beside(line: &Polyline, lines: &[Polyline], index: &PointIndex) -> [bool; 2] 
     for step in 0..steps {
         let at = line.at((f64::from(step) + 0.5) * line.length() / f64::from(steps));
         let mut seen = [false; 2];
-        index.around(&at, BESIDE, |id| {
-            let near = lines[id as usize].project(&at);
-            if near.left.abs() <= BESIDE {
-                seen[usize::from(line.project(&near.point).left > 0.0)] = true;
-            }
-            f64::INFINITY
-        });
+        for near in index.each(&at, BESIDE, |id| &lines[id as usize]).values() {
+            seen[usize::from(line.project(&near.point).left > 0.0)] = true;
+        }
         beside.iter_mut().zip(seen).for_each(|(count, seen)| *count += u32::from(seen));
     }
     beside.map(|count| 2 * count > steps)

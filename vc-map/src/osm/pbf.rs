@@ -109,7 +109,9 @@ impl OsmData {
                         let Some(edge) = [1, 3, 2, 0].get((field as usize).wrapping_sub(1)).copied() else { continue };
                         edges[edge] = unfolded(number) as f64 * 1e-9;
                     }
-                    self.bounds = Some(edges).filter(|edges| edges.iter().all(|edge| edge.abs() <= 180.0));
+                    if edges.iter().all(|edge| edge.abs() <= 180.0) {
+                        self.set_bounds(edges);
+                    }
                 }
                 (4, Content::Bytes(feature)) if !FEATURES.contains(&feature) => {
                     return Err("the file needs a feature that is not read: convert with osmium");

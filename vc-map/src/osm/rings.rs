@@ -6,6 +6,7 @@ use super::data::{Relation, Way};
 use super::tags::Source;
 use super::{Element, Reason};
 use crate::Point;
+use crate::index::PointIndex;
 use crate::polyline::{area, inside};
 
 /// Rings of a smaller area are none, square metres.
@@ -63,18 +64,22 @@ impl Source<'_> {
         let mut found = Multipolygon { areas: Vec::new(), lacks: BTreeSet::new(), ways: BTreeSet::new() };
         let outer = self.surfaces(relation, false, &mut found);
         let holes = self.surfaces(relation, true, &mut found);
-        let boxes: Vec<[Point; 2]> = outer.iter().map(corners).collect();
-        let mut areas: Vec<(Surface, [Point; 2])> = outer.into_iter().zip(boxes).collect();
+        let index = PointIndex::of_boxes(outer.iter().map(corners));
+        found.areas = outer;
         for hole in holes {
             let at = hole.outline[0];
-            let near = |[low, high]: &[Point; 2]| low.x <= at.x && low.y <= at.y && at.x <= high.x && at.y <= high.y;
-            let around = areas.iter_mut().find(|(area, corners)| near(corners) && inside(&area.outline, &at));
+            let mut around: Option<u32> = None;
+            index.around(&at, 0.0, |area| {
+                if around.is_none_or(|known| area < known) && inside(&found.areas[area as usize].outline, &at) {
+                    around = Some(area);
+                }
+                f64::INFINITY
+            });
             match (around, turned(hole.outline, false)) {
-                (Some((area, _)), Some(ring)) => area.holes.push(ring),
+                (Some(area), Some(ring)) => found.areas[area as usize].holes.push(ring),
                 _ => _ = found.lacks.insert(Reason::HoleOutside),
             }
         }
-        found.areas = areas.into_iter().map(|(area, _)| area).collect();
         found
     }
 

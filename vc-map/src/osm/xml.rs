@@ -195,7 +195,7 @@ impl<'a> XmlReader<'a> {
         let edge = |name: &str| attribute(tag, name)?.parse::<f64>().ok().filter(|edge| edge.abs() <= 180.0);
         let edges = ["minlat", "minlon", "maxlat", "maxlon"].map(edge);
         if let [Some(south), Some(west), Some(north), Some(east)] = edges {
-            self.data.bounds = Some([south, west, north, east]);
+            self.data.set_bounds([south, west, north, east]);
         }
     }
 

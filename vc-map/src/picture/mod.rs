@@ -104,9 +104,15 @@ pub const GROUND: Colour = [242, 239, 233];
 impl Drawing {
     /// The drawing of a whole map, with a margin of 10 m. Costs some shapes for each road, area and building.
     pub fn of(map: &StreetMap) -> Self {
-        let [low, high] = map.bounds().unwrap_or([Point::origin(), Point::new(1.0, 1.0)]);
+        let everywhere = [[f64::NEG_INFINITY; 2].into(), [f64::INFINITY; 2].into()];
+        let mut drawing = Self::within(map, everywhere);
+        // Around everything that is drawn: railways under the ground are not, and reach far.
+        let points = || drawing.shapes.iter().flat_map(|shape| &shape.paths).flatten();
+        let first = points().next().copied().unwrap_or_else(Point::origin);
+        let [low, high] = points().fold([first; 2], |[low, high], point| [low.inf(point), high.sup(point)]);
         let margin = nalgebra::Vector2::new(10.0, 10.0);
-        Self::within(map, [low - margin, high + margin])
+        drawing.bounds = [low - margin, high + margin];
+        drawing
     }
 
     /// The drawing of a part of a map, between two corners. Costs a drawing of the whole.

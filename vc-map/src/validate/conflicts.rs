@@ -12,9 +12,9 @@ const NEAR: f64 = 15.0;
 /// The speed of people who have begun to cross, metres per second.
 const WALKING: f64 = 1.07;
 
-/// The pairs of movements and crossings of a junction that meet and that a table lacks: places each quarter of a metre are
-/// held against each other. Crossings are met by a movement or by its lanes close to the junction. Costs the square of the
-/// length of all movements.
+/// The pairs of movements and crossings of a junction that meet and that a table lacks: places on one each quarter of a metre
+/// are held against the other. Crossings are met by a movement or by its lanes close to the junction. Costs the places of all
+/// movements times the pieces of those near them.
 ///
 /// ```
 /// use vc_map::validate::missing_conflicts;
@@ -40,8 +40,8 @@ pub fn missing_conflicts(map: &StreetMap, junction: JunctionId, table: &Conflict
     for (one, a) in movements.iter().enumerate() {
         for (other, b) in movements.iter().enumerate().skip(one + 1) {
             let reach = TOUCH[usize::from(is_wide(a)) + usize::from(is_wide(b))];
-            let touch = || samples[one].iter().any(|p| samples[other].iter().any(|q| (p - q).norm() < reach));
-            if a.from != b.from && !table.has(one, other) && touch() {
+            let touch = || samples[one].iter().any(|p| (b.line.project(p).point - p).norm() < reach);
+            if a.from != b.from && !table.has(one, other) && near(a, b, reach) && touch() {
                 missing.push((one, other));
             }
         }
@@ -53,6 +53,13 @@ pub fn missing_conflicts(map: &StreetMap, junction: JunctionId, table: &Conflict
         }
     }
     missing
+}
+
+/// Whether the boxes around two movements come nearer to each other than a distance.
+fn near(a: &Movement, b: &Movement, distance: f64) -> bool {
+    let ([low, high], [lower, upper]) = (a.line.bounds(), b.line.bounds());
+    let gap = (low - upper).sup(&(lower - high));
+    gap.x < distance && gap.y < distance
 }
 
 /// Whether a line crosses a movement or the ends of its lanes at the junction.

@@ -1,7 +1,7 @@
 //! Lanes, and who may use them, from tags.
 
 use vc_map::osm::{Element, Guessed, ImportOptions, OsmData};
-use vc_map::{DrivingSide, StreetMap, StripKind, Users};
+use vc_map::{Control, CrossSection, DrivingSide, MapDraft, RoadClass, StreetMap, Strip, StripKind, Turns, Users};
 
 use crate::account::ignored;
 use crate::osm::{file, street};
@@ -161,4 +161,48 @@ fn people_do_not_walk_on_a_carriageway_beside_separate_pavements() {
         let (map, _) = street(&format!("highway=residential {tags}"));
         assert_eq!(map.roads()[0].draft.section.users(true).has(Users::FOOT), walked, "{tags}");
     }
+}
+
+#[test]
+fn where_lanes_lead_ahead_only_every_branch_ahead_can_be_taken() {
+    // Three lanes from the south, marked for straight on, and three one-way streets: ahead, half to the left, to the left.
+    let mut draft = MapDraft::new("fork", 48.0, 11.0);
+    let middle = draft.junction([0.0, 0.0], Control::Priority);
+    let start = draft.junction([0.0, -120.0], Control::Edge);
+    let lane = Strip { turns: Turns::THROUGH, ..Strip::driving(3.0, 13.9) };
+    let section = |strips: Vec<Strip>| CrossSection { forward: strips, ..CrossSection::default() };
+    draft.road(start, middle, RoadClass::Trunk, section(vec![lane; 3]));
+    let exit = |draft: &mut MapDraft, degrees: f64| {
+        let (x, y) = degrees.to_radians().sin_cos();
+        let end = draft.junction([-120.0 * x, 120.0 * y], Control::Edge);
+        draft.road(middle, end, RoadClass::Trunk, section(vec![Strip::driving(3.0, 13.9)]))
+    };
+    let exits = [0.0, 50.0, 65.0, 90.0].map(|degrees| exit(&mut draft, degrees));
+    let map = draft.build().unwrap();
+    let taken = |road| {
+        map.movements().iter().filter(|m| map.lane(m.to).unwrap().road == road && m.users.has(Users::CAR)).count()
+    };
+    // A street to the left is none of those ahead.
+    assert_eq!(exits.map(taken), [3, 1, 1, 0]);
+}
+
+#[test]
+fn nobody_crosses_more_carriageways_in_one_go_than_those_of_a_road_with_a_slip_road() {
+    let crossed = |streets: usize| {
+        let mut draft = MapDraft::new("star", 48.0, 11.0);
+        let middle = draft.junction([0.0, 0.0], Control::Signals);
+        let mut arm = |degrees: f64, class, strips: Vec<Strip>| {
+            let (x, y) = degrees.to_radians().sin_cos();
+            let end = draft.junction([100.0 * x, 100.0 * y], Control::Edge);
+            draft.road(end, middle, class, CrossSection { forward: strips.clone(), backward: strips, median: 0.0 });
+        };
+        // Three paths to the south, and streets without pavements between the outer ones.
+        let path = || vec![Strip::new(StripKind::Path, 2.0, Users::FOOT, 1.4)];
+        [100.0, 180.0, 260.0].into_iter().for_each(|degrees| arm(degrees, RoadClass::Path, path()));
+        let lane = Strip::new(StripKind::Driving, 3.0, Users::CAR, 13.9);
+        (0..streets).for_each(|i| arm(-60.0 + 30.0 * i as f64, RoadClass::Secondary, vec![lane.clone()]));
+        let map = draft.build().unwrap();
+        map.crossings().iter().map(|crossing| crossing.roads.len()).max()
+    };
+    assert_eq!([3, 4, 5].map(crossed), [Some(3), None, None]);
 }

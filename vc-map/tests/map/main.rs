@@ -3,6 +3,7 @@
 
 mod account;
 mod bounds;
+mod checks;
 mod control;
 mod formats;
 mod hostile;

@@ -216,6 +216,10 @@ fn other_programs_are_told_of_signs_and_mini_roundabouts() {
     let at = round.junctions().iter().find(|junction| junction.draft.control == Control::MiniRoundabout).unwrap();
     assert_eq!(files.connections.matches("shape=").count(), at.movements.len());
     assert!(files.connections.contains("<prohibition"));
+    assert!(files.nodes.contains(r#"type="right_before_left" shape="#));
+    // Among equal streets a sign does not take away that vehicles which wait for each other go on.
+    let (given, _) = crossing(&[(6, -0.1, 0.0, "highway=give_way direction=forward")], "");
+    assert!(sumo::write(&given, "give").nodes.contains(r#"type="right_before_left""#));
     // A stop takes time.
     let seconds = |map: &StreetMap| {
         Router::new(map, Mode::Car).route(&Point::new(-90.0, -2.0), &Point::new(90.0, -2.0)).unwrap().seconds

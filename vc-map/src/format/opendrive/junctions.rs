@@ -76,7 +76,7 @@ fn only_lane(map: &StreetMap, xml: &mut Xml, movement: &Movement, name: &'static
     xml.close();
 }
 
-/// Who goes before whom, by their connecting roads, where no lights rule.
+/// The right of way by connecting roads, where no lights rule.
 fn priorities(map: &StreetMap, xml: &mut Xml, junction: &Junction) {
     let own = |id: &&MovementId| map.movement(**id).is_some();
     for id in junction.movements.iter().filter(own).filter(|_| junction.signal.is_none()) {

@@ -190,7 +190,7 @@ fn signals(map: &StreetMap, xml: &mut Xml, road: &Road, line: &Polyline) {
     xml.close();
 }
 
-/// What stands at the end of a lane: a light or a sign, by its numbers in OpenDRIVE or those of German signs.
+/// A light or a sign at the end of a lane, by its number in OpenDRIVE or among German signs.
 struct Post {
     id: String,
     name: String,

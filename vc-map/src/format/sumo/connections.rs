@@ -58,7 +58,7 @@ pub(super) fn connections(map: &StreetMap) -> String {
     xml.finish()
 }
 
-/// Who gives way to whom where signs or a mini-roundabout tell, since netconvert goes by classes alone.
+/// The right of way where signs or a mini-roundabout tell, since netconvert goes by classes alone.
 fn prohibitions(map: &StreetMap, xml: &mut Xml, junction: &Junction) {
     if junction.draft.control != Control::MiniRoundabout && super::signs(map, junction).next().is_none() {
         return;

@@ -74,6 +74,8 @@ fn nodes(map: &StreetMap) -> String {
         let kind = match junction.draft.control {
             Control::Signals if junction.signal.is_some() => "traffic_light",
             Control::AllWayStop => "allway_stop",
+            // Vehicles that wait for each other in a ring go on at a junction of this kind, whoever gives way to whom.
+            Control::MiniRoundabout => "right_before_left",
             Control::Priority if stops(map, junction) => "priority_stop",
             Control::Priority if is_equal(map, junction) => "right_before_left",
             _ => "priority",
@@ -120,8 +122,7 @@ fn is_equal(map: &StreetMap, junction: &Junction) -> bool {
     let equal = |pair: &[&RoadDraft]| {
         (pair[0].class, pair[0].slip, pair[0].roundabout) == (pair[1].class, pair[1].slip, pair[1].roundabout)
     };
-    let unsigned = signs(map, junction).next().is_none();
-    unsigned && map.side() == DrivingSide::Right && streets.len() > 2 && streets.windows(2).all(equal)
+    map.side() == DrivingSide::Right && streets.len() > 2 && streets.windows(2).all(equal)
 }
 
 fn config(map: &StreetMap, name: &str) -> String {
