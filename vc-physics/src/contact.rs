@@ -36,6 +36,9 @@ pub struct Contact {
 pub(crate) const CARRIES: f32 = 0.5;
 /// The largest gap between touching bodies, metres: the engine leaves such a gap.
 const TOUCHING: f32 = 0.005;
+/// How far the points of a contact may have slid apart since the engine found it, metres: a thing that has been moved along
+/// by one of its supports touches the other no longer.
+const SLID: f32 = 0.02;
 
 /// A point where two bodies touch.
 pub(crate) struct Touch {
@@ -43,6 +46,7 @@ pub(crate) struct Touch {
     pub(crate) normal: Vector3<f32>,
     pub(crate) at: Point3<f32>,
     pub(crate) gap: f32,
+    slid: f32,
     impulse: f32,
 }
 
@@ -127,15 +131,17 @@ impl PhysicsWorld {
             |((first, second), manifold, point): ((EnginePose, EnginePose), &ContactManifold, &EngineContact)| {
                 let on_first = manifold.subshape_pos1().map_or(first, |p| first * *p) * point.local_p1;
                 let on_second = manifold.subshape_pos2().map_or(second, |p| second * *p) * point.local_p2;
-                let normal = manifold.data.normal;
+                let (normal, between) = (manifold.data.normal, on_second - on_first);
+                let gap = between.dot(normal);
                 Touch {
                     normal: convert::vector3(normal),
                     at: convert::point3(on_first),
-                    gap: (on_second - on_first).dot(normal),
+                    gap,
+                    slid: (between - normal * gap).length(),
                     impulse: point.data.impulse,
                 }
             };
-        all.map(touch).filter(|t| t.gap <= TOUCHING)
+        all.map(touch).filter(|t| t.gap <= TOUCHING && t.slid <= SLID)
     }
 
     pub(crate) fn node_of(&self, collider: ColliderHandle) -> Option<NodeId> {

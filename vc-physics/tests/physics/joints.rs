@@ -124,6 +124,39 @@ fn what_has_just_been_put_into_a_drawer_goes_along() {
     }
 }
 
+/// A thing that lies on a rack and on the open flap before it goes in with the rack, and not up with the flap after that.
+#[test]
+fn what_a_rack_has_taken_along_lies_on_no_flap() {
+    let mut scene = Scene::default();
+    scene.floor(5.0, 0.5);
+    let slide = Joint { kind: JointKind::Slide, anchor: Point3::origin(), axis: Vector3::x(), limits: (0.0, 0.4) };
+    let hinge =
+        Joint { kind: JointKind::Hinge, anchor: Point3::new(0.31, 0.0, 0.2), axis: Vector3::y(), limits: (0.0, 1.57) };
+    let moving = |name: &str, half: [f32; 3], x: f32, z: f32, joint: Joint| {
+        let mut board = part(name, block(half), at(x, 0.0, z), scene.wood);
+        board.joint = Some(joint);
+        board
+    };
+    let parts = vec![
+        part("bottom", block([0.3, 0.3, 0.01]), at(0.0, 0.0, 0.01), scene.wood),
+        moving("rack", [0.2, 0.2, 0.01], 0.0, 0.2, slide),
+        moving("flap", [0.01, 0.2, 0.15], 0.31, 0.36, hinge),
+    ];
+    let machine = scene.asset(Asset { name: "machine".into(), parts, ..Asset::default() });
+    let machine = scene.add("dishwasher", machine, at(0.0, 0.0, 0.0));
+    let fork = scene.cube(0.03, at(2.0, 0.0, 0.03));
+    let mut world = scene.world();
+    world.put_open(machine, Some(1), 1.0).unwrap();
+    world.put_open(machine, Some(0), 1.0).unwrap();
+    world.place(fork, at(0.45, 0.0, 0.242)).unwrap();
+    assert!(world.settle(300).at_rest);
+    let before = world.pose(fork).unwrap().translation.vector;
+    world.put_open(machine, Some(0), 0.0).unwrap();
+    world.put_open(machine, Some(1), 0.0).unwrap();
+    let moved = world.pose(fork).unwrap().translation.vector - before;
+    assert!((moved + Vector3::x() * 0.4).norm() < 0.02, "{moved:?}");
+}
+
 /// A chest of a few kilograms: its drawer moves with it and has no motor.
 fn light_chest(scene: &mut Scene) -> NodeId {
     scene.wood = scene.library.add_material(common::material("balsa", 150.0, 0.5, 0.0)).unwrap();
