@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use vc_graph::{Aabb, ChangeSet, Edge, EditError, NodeId, NodeKind, Place, Relation, SceneGraph};
+use vc_graph::{Aabb, ChangeSet, Edge, EditError, NodeId, NodeKind, ObjectRole, Place, Relation, SceneGraph};
 
 use crate::relations::Relations;
 use crate::threshold::OUTSIDE_GAP;
@@ -126,8 +126,7 @@ fn replace(edit: &mut vc_graph::Edit<'_>, id: NodeId, relation: Relation, edges:
 /// Whether a graph has a node in the room and at the places that the edges give, with these places in the same
 /// room.
 fn is_placed(graph: &SceneGraph, id: NodeId, edges: &[Edge]) -> bool {
-    let room = edges.iter().find(|e| e.relation == Relation::InRoom).map(|e| e.to);
-    let mut new: Vec<Place> = edges.iter().filter(|e| rests(e)).map(place).collect();
+    let (mut new, room) = whereabouts(graph, edges);
     let mut old: Vec<Place> = graph.places(id).collect();
     new.sort_unstable();
     old.sort_unstable();
@@ -135,6 +134,17 @@ fn is_placed(graph: &SceneGraph, id: NodeId, edges: &[Edge]) -> bool {
     // A thing that rests on nothing for a moment keeps its place.
     let keeps = new.is_empty() && !is_outside(graph, id);
     (new == old || keeps) && is_here(id) && old.iter().all(|p| is_here(p.at))
+}
+
+/// The places and the room that edges give. A thing across a threshold is in a room whose floor carries it, on that floor.
+fn whereabouts(graph: &SceneGraph, edges: &[Edge]) -> (Vec<Place>, Option<NodeId>) {
+    let over = edges.iter().find(|e| e.relation == Relation::InRoom).map(|e| e.to);
+    let mut places: Vec<Place> = edges.iter().filter(|e| rests(e)).map(place).collect();
+    let is_floor = |at: NodeId| graph.node(at).is_some_and(|node| node.role() == ObjectRole::Floor);
+    let floors: Vec<Option<NodeId>> = places.iter().filter(|p| is_floor(p.at)).map(|p| graph.room_of(p.at)).collect();
+    let room = if floors.contains(&over) { over } else { floors.first().copied().unwrap_or(over) };
+    places.retain(|p| !is_floor(p.at) || graph.room_of(p.at) == room);
+    (places, room)
 }
 
 /// Whether a thing is outside something that it is inside by the graph.
@@ -165,9 +175,9 @@ fn rests(edge: &Edge) -> bool {
 
 /// Puts a thing where edges have it, or where it was if these all rest on the thing itself.
 fn put(edit: &mut vc_graph::Edit<'_>, id: NodeId, edges: &[Edge], was: Vec<Place>) -> Result<(), EditError> {
+    let (new, room) = whereabouts(edit.graph(), edges);
     // The graph may have a thing that keeps its place resting on this one.
     let carried = |p: &Place| edit.graph().rests_at(p.at, id);
-    let new: Vec<Place> = edges.iter().filter(|e| rests(e)).map(place).collect();
     let mut places: Vec<Place> = new.iter().copied().filter(|p| !carried(p)).collect();
     if places.is_empty() && !new.is_empty() {
         places = was.into_iter().filter(|p| !carried(p)).collect();
@@ -175,6 +185,5 @@ fn put(edit: &mut vc_graph::Edit<'_>, id: NodeId, edges: &[Edge], was: Vec<Place
     if !places.is_empty() {
         edit.place_as_seen(id, &places, None)?;
     }
-    let room = edges.iter().find(|e| e.relation == Relation::InRoom).map(|e| e.to);
     room.map_or(Ok(()), |room| edit.move_to_room(id, room))
 }
