@@ -195,9 +195,11 @@ impl Environment {
         let stay = left.iter().filter(stays).map(|passage| passage.door).collect();
         let passed: Vec<NodeId> = left.iter().map(|passage| passage.door).collect();
         self.clock.about_to_change(&self.graph);
-        let written = self.write_open(&passed);
+        let written: Vec<NodeId> = self.write_open(&passed).nodes().collect();
+        // Nobody else answers for them.
+        self.excuse(&written);
         self.clock.unseen |= !written.is_empty();
-        self.clock.changed.extend(written.nodes());
+        self.clock.changed.extend(written);
         stay
     }
 
