@@ -1,17 +1,17 @@
 //! Doors between two regions as things of both: a front door stands in its home, and is seen, opened, shut and walked to
 //! from the gallery as well.
 
-use nalgebra::{Point3, distance};
+use nalgebra::{Point2, Point3, distance};
 use vc_graph::portable::Portable;
 use vc_graph::space::{PortalId, RegionId, gather};
 use vc_graph::{Action, ChangeSet, NodeId, Refusal, Verb, rule};
 
 use super::journey::{Journey, Leg, Stage};
 use super::leg::walk_to;
-use super::measures::{LEAF, REACH};
+use super::measures::{DOORWAY, LEAF, REACH};
 use super::time::opens_or_shuts;
-use super::{City, CityError};
-use crate::ActionError;
+use super::{City, CityError, way};
+use crate::{ActionError, Interruption};
 
 impl City {
     /// Every action that an agent can do now by the transition rule: those of its region, as
@@ -102,8 +102,11 @@ impl City {
     pub(super) fn walk_before(&self, agent: NodeId, portal: PortalId) -> Result<Option<Action>, CityError> {
         let Some((plan, region)) = self.space().portal(portal).zip(self.region_of(agent)) else { return Ok(None) };
         let no_floor = || CityError::of_no_floor(self.region_label(region));
-        let spot = self.spot_before(agent, plan, region).ok_or_else(no_floor)?;
-        let to = plan.side(region).map_or(spot.coords, |side| side.pose.translation.vector.xy()) - spot.coords;
+        let threshold =
+            Point2::from(plan.side(region).map_or_else(Default::default, |side| side.pose.translation.vector.xy()));
+        let spot = self.spot_before(agent, plan, region).filter(|spot| distance(spot, &threshold) < REACH);
+        let spot = spot.ok_or_else(no_floor)?;
+        let to = threshold - spot;
         let heading = f64::from(to.y.angle_to(to.x).to_degrees());
         Ok(walk_to(&spot).and_then(|walk| walk.turned(heading).ok()))
     }
@@ -115,7 +118,7 @@ impl City {
         if refusals.is_empty() { Ok(Stage::Handling(until)) } else { Err(ActionError::Refused(refusals).into()) }
     }
 
-    /// Opens and shuts the doors at which hands have been for long enough. None is shut on somebody.
+    /// Opens and shuts the doors at which hands have been for long enough. None is moved through somebody.
     pub(super) fn doors_pass(&mut self) {
         let now = self.tick;
         let crosses = |portal: PortalId| {
@@ -123,12 +126,13 @@ impl City {
         };
         let due = self.journeys.iter().filter_map(|(agent, journey)| match (&journey.stage, journey.legs.front()) {
             (Stage::Handling(until), Some(Leg::Leaf(portal, action))) if *until <= now && !crosses(*portal) => {
-                Some((*agent, *action))
+                Some((*agent, *portal, *action))
             }
             _ => None,
         });
-        for (agent, action) in due.collect::<Vec<(NodeId, Action)>>() {
-            match self.move_door(agent, action) {
+        for (agent, portal, action) in due.collect::<Vec<(NodeId, PortalId, Action)>>() {
+            let free = self.clear_doorway(agent, &action, self.in_doorway(portal).or_else(|| self.in_swing(portal)));
+            match free.and_then(|()| self.move_door(agent, action)) {
                 Ok(changes) => {
                     self.changed(agent, changes);
                     self.leg_done(agent);
@@ -136,6 +140,52 @@ impl City {
                 Err(why) => self.leg_failed(agent, why),
             }
         }
+    }
+
+    /// Somebody on the other side of a door of one's region, in whose doorway one opens or shuts it.
+    pub(super) fn behind_door(&self, agent: NodeId, action: &Action) -> Option<(RegionId, NodeId)> {
+        let (region, door) = self.region_of(agent).zip(action.object.filter(|_| opens_or_shuts(action.verb)))?;
+        let mut portals = self.space().portals_of(region);
+        let portal = portals.find(|id| self.space().portal(*id).is_some_and(|plan| plan.leaf == Some(door)))?;
+        self.in_doorway(portal).filter(|(beyond, _)| *beyond != region)
+    }
+
+    /// Refuses if somebody is in a doorway, who is asked to make way.
+    pub(super) fn clear_doorway(
+        &mut self,
+        agent: NodeId,
+        action: &Action,
+        met: Option<(RegionId, NodeId)>,
+    ) -> Result<(), CityError> {
+        let Some(((region, by), door)) = met.zip(action.object) else { return Ok(()) };
+        let space = self.space().clone();
+        let portals = space.portals_of(region).filter_map(|portal| space.portal(portal));
+        let plan = portals.filter(|plan| plan.leaf == Some(door)).last();
+        plan.into_iter().for_each(|plan| self.make_way(agent, region, &way::mouth(plan, region)));
+        let why = Interruption::InDoorway { door: self.label(door), by: self.label(by) };
+        Err(self.environment_with(agent)?.interrupted(action, why).into())
+    }
+
+    /// Somebody who stands in the doorway of a portal, and on which side.
+    fn in_doorway(&self, portal: PortalId) -> Option<(RegionId, NodeId)> {
+        let plan = self.space().portal(portal)?;
+        plan.sides.iter().find_map(|side| {
+            let is_in = |at: &Point2<f32>| {
+                let at = side.pose.inverse_transform_point(&Point3::new(at.x, at.y, side.pose.translation.z));
+                at.x.abs() < DOORWAY && at.y.abs() < plan.width / 2.0
+            };
+            let mut people = self.environment(side.region)?.people_but(NodeId(0));
+            people.find(|(_, at)| is_in(at)).map(|(id, _)| (side.region, id))
+        })
+    }
+
+    /// Somebody who stands where the leaf of a portal swings, in its region.
+    fn in_swing(&self, portal: PortalId) -> Option<(RegionId, NodeId)> {
+        let leaf = self.space().portal(portal)?.leaf?;
+        let region = self.region_of(leaf)?;
+        let there = self.environment(region)?;
+        let met = there.people_but(NodeId(0)).find(|(id, _)| there.is_swept_by(*id, leaf));
+        met.map(|(id, _)| (region, id))
     }
 
     fn move_door(&mut self, agent: NodeId, action: Action) -> Result<ChangeSet, CityError> {

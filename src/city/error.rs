@@ -84,6 +84,14 @@ pub enum CityError {
         /// The region where it was to go.
         to: RegionLabel,
     },
+    /// No way over the floor leads to the first portal of the way, though nobody is in the way.
+    #[error("no way over the floor leads {agent} to a threshold of {region}: move what stands in between")]
+    NoWayOut {
+        /// The agent.
+        agent: Label,
+        /// The region in which it is.
+        region: RegionLabel,
+    },
     /// There is nowhere to stand beyond a threshold.
     #[error("there is no free floor within {within} m of the threshold of {region}")]
     NoFloor {
@@ -139,6 +147,12 @@ impl CityError {
     /// There is no place beyond the threshold of a region.
     pub(super) fn of_no_floor(region: RegionLabel) -> Self {
         Self::NoFloor { region, within: crate::environment::BEYOND }
+    }
+
+    /// Whether somebody is in the doorway of a door that was to be moved.
+    pub(super) fn is_in_doorway(&self) -> bool {
+        let is = |why: &Interruption| matches!(why, Interruption::InDoorway { .. });
+        matches!(self, Self::Action(ActionError::Interrupted { why, .. }) if is(why))
     }
 
     /// Whether it may be otherwise in a while: somebody is in the way.

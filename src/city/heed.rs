@@ -12,96 +12,12 @@ use super::passage::Crossing;
 use super::{City, CityError, way};
 use crate::environment::{APART, apart_after};
 
-/// How much farther from a way than need be one stands who has made way, metres.
-const ROOM: f32 = 0.05;
 /// How far the other may come in the same tick, metres.
 const STEP: f32 = LEVEL / TICKS_PER_SECOND as f32;
-/// How near a spot is to one that was kept, metres: it is the same cell of the floor.
-const KEPT: f32 = 0.1;
 /// A distance that has not changed, metres.
 const SAME: f32 = 1e-4;
 
 impl City {
-    /// The places in a region where somebody stands who is on no way through a portal.
-    pub(super) fn standing(&self, agent: NodeId, region: RegionId) -> Vec<Point2<f32>> {
-        let crosses = |id: &NodeId| self.journeys.get(id).is_some_and(|journey| journey.crossing().is_some());
-        let there = self.environment(region).into_iter().flat_map(|there| there.people_but(agent));
-        there.filter(|(id, _)| !crosses(id)).map(|(_, at)| at).collect()
-    }
-
-    /// The places in a region that are kept for others.
-    fn kept_places(&self, agent: NodeId, region: RegionId) -> Vec<Point2<f32>> {
-        let others = self.journeys.iter().filter(|(id, _)| **id != agent);
-        let kept = others.filter_map(|(id, journey)| match (journey.crossing(), journey.legs.front()) {
-            (Some(crossing), _) => crossing.spot_in(region),
-            (None, Some(Leg::Aside(spot))) if self.region_of(*id) == Some(region) => Some(*spot),
-            _ => None,
-        });
-        kept.collect()
-    }
-
-    /// The point of a region to which those go who come through a portal: to the back of a cabin, else a step.
-    pub(super) fn towards(&self, plan: &Portal, into: RegionId) -> Point2<f32> {
-        match self.lifts.get(into) {
-            Some(_) => way::back_of(plan, into),
-            None => way::beside(plan, into),
-        }
-    }
-
-    /// A free place behind a portal, with a free way to it from the threshold, and off the ways of others; for who comes to
-    /// the threshold the one that was kept, if nobody has come to stand there. If there is none, whoever stands there with
-    /// nothing to do is asked to make way.
-    pub(super) fn room_beyond(
-        &mut self,
-        agent: NodeId,
-        plan: &Portal,
-        into: RegionId,
-        kept: Option<Point2<f32>>,
-    ) -> Result<Point2<f32>, CityError> {
-        let spot = self.environment(into).and_then(|there| {
-            there.spot_near(agent, self.towards(plan, into), self.free_beyond(agent, (plan, into), kept))
-        });
-        spot.ok_or_else(|| {
-            self.make_way(agent, into, &way::mouth(plan, into));
-            CityError::of_no_floor(self.region_label(into))
-        })
-    }
-
-    /// Whether a spot behind a portal is free for somebody, off its threshold, and one gets there past others. One that was
-    /// kept has only to be free of those who stand.
-    pub(super) fn free_beyond<'a>(
-        &'a self,
-        agent: NodeId,
-        (plan, into): (&'a Portal, RegionId),
-        kept: Option<Point2<f32>>,
-    ) -> impl Fn(&Point2<f32>) -> bool + 'a {
-        let (standing, taken) = (self.standing(agent, into), self.kept_places(agent, into));
-        let to = move |spot: &Point2<f32>| way::last_stretch(plan, into, *spot);
-        move |spot| {
-            let line = to(spot);
-            let is_kept = kept.is_some_and(|kept| distance(&kept, spot) < KEPT);
-            let is_off = |other: &Point2<f32>| way::off(other, &line) > APART;
-            let lets_by = |other: &Point2<f32>| is_kept || (is_off(other) && way::off(spot, &to(other)) > APART);
-            distance(&line[0], spot) > BETWEEN && standing.iter().all(is_off) && taken.iter().all(lets_by)
-        }
-    }
-
-    /// A free place before a portal, to wait for others or for a lift.
-    pub(super) fn spot_before(&self, agent: NodeId, plan: &Portal, region: RegionId) -> Option<Point2<f32>> {
-        let here = Point2::from(self.feet(agent)?.translation.vector.xy());
-        let there = self.environment(region)?;
-        let kept = self.kept_places(agent, region);
-        let is_apart = |spot: &Point2<f32>| kept.iter().all(|other| distance(other, spot) > APART);
-        let is_off = |spot: &Point2<f32>| is_apart(spot) && way::off(spot, &way::mouth(plan, region)) > APART;
-        let straight = || there.spot_near(agent, way::beside(plan, region), is_apart);
-        if self.lifts.at(plan).is_none() {
-            return straight();
-        }
-        let mut sides = way::waiting(plan, region);
-        sides.sort_by(|a, b| distance(a, &here).total_cmp(&distance(b, &here)));
-        sides.iter().find_map(|side| there.spot_near(agent, *side, is_off)).or_else(straight)
-    }
-
     /// Whether somebody has a portal for itself: coming the other way, going back, or wanting out of a cabin first.
     pub(super) fn is_taken(&self, portal: PortalId, (from, into): (RegionId, RegionId)) -> bool {
         let comes = |crossing: &Crossing| crossing.portal == portal && (crossing.from != from || crossing.goes_back);
@@ -159,13 +75,7 @@ impl City {
         let in_the_way = there.people_but(agent).filter(|(_, at)| way::off(at, line) <= APART);
         let asked: Vec<(NodeId, Point2<f32>)> = in_the_way.filter(|(id, _)| self.can_make_way(*id)).collect();
         for (id, at) in asked {
-            let obstacles = [self.standing(id, region), self.kept_places(id, region)].concat();
-            let is_aside = |spot: &Point2<f32>| {
-                way::off(spot, line) > APART + ROOM && obstacles.iter().all(|other| distance(other, spot) > APART)
-            };
-            let Some(spot) = self.environment(region).and_then(|there| there.spot_near(id, at, is_aside)) else {
-                continue;
-            };
+            let Some(spot) = self.spot_aside((id, at), region, line) else { continue };
             let now = self.tick;
             match self.journeys.get_mut(&id) {
                 Some(journey) => journey.step_aside(spot, now),

@@ -9,7 +9,7 @@ use vc_graph::hash::Digester;
 use vc_graph::space::{Portal, PortalId, PortalKind, RegionId, Space};
 use vc_graph::{Action, ChangeSet, NodeId, ObjectNames, Pose, Verb};
 
-use super::measures::{FARTHEST, TRIES};
+use super::measures::{FARTHEST, HANDLES, TRIES};
 use super::passage::Crossing;
 use super::time::{CityEnding, opens_or_shuts};
 use super::{City, CityError};
@@ -160,6 +160,11 @@ impl Journey {
         (self.tries, self.stage) = (self.tries + 1, Stage::Waiting(from));
         self.tries <= TRIES
     }
+
+    /// Somebody was in the doorway of a door: it is tried again from a tick on, a few times.
+    pub(super) fn handles_again(&mut self, from: Tick) -> bool {
+        self.tries_again(from) && self.tries <= HANDLES
+    }
 }
 
 impl City {
@@ -179,6 +184,10 @@ impl City {
     ) -> Result<(), CityError> {
         let (here, feet) = self.begins_at(agent).ok_or_else(|| CityError::NoSuchAgent(self.label(agent)))?;
         let way = to.filter(|to| *to != here).map_or_else(|| Ok(Vec::new()), |to| self.way(agent, (here, feet), to))?;
+        let stands = !self.is_crossing(agent);
+        if way.first().is_some_and(|first| stands && !self.reaches(agent, *first)) {
+            return Err(CityError::NoWayOut { agent: self.label(agent), region: self.region_label(here) });
+        }
         let legs = self.legs_of(agent, way, action);
         let before = self.break_off(agent);
         // Whoever goes back from a portal has left it behind.

@@ -33,7 +33,10 @@ impl City {
                     self.end_journey(agent, Ok(()));
                     return Ok(());
                 }
-                Some(Leg::Act(action)) => self.act(agent, action),
+                Some(Leg::Act(action)) => {
+                    self.clear_doorway(agent, &action, self.behind_door(agent, &action))?;
+                    self.act(agent, action)
+                }
                 Some(Leg::Approach(portal)) => match self.approach(agent, portal)? {
                     None => {
                         self.leg_done(agent);
@@ -88,6 +91,7 @@ impl City {
         match journey.legs.front().copied() {
             // Others wait, or come past.
             Some(Leg::Aside(_)) => self.leg_done(agent),
+            Some(Leg::Act(_) | Leg::Leaf(..)) if why.is_in_doorway() && journey.handles_again(later) => {}
             Some(Leg::Act(_) | Leg::Leaf(..)) => self.end_journey(agent, Err(why)),
             _ if why.may_pass() && journey.tries_again(later) => {}
             _ => self.end_journey(agent, Err(why)),

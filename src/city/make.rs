@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
+use nalgebra::Point2;
 use vc_graph::clock::Tick;
 use vc_graph::space::{NumberBlock, Region, RegionId, Space};
 use vc_graph::{Draft, NodeId, Pose, SceneBuilder};
@@ -104,7 +105,8 @@ impl City {
         if units.is_empty() { with(|_| true) } else { units }
     }
 
-    /// Adds an agent, who stands in a room of a region, near its middle.
+    /// Adds an agent, who stands in a room of a region, near its middle: one from where a way leads out, if
+    /// there is one.
     ///
     /// # Errors
     /// [`CityError`]; nothing has changed then.
@@ -112,11 +114,14 @@ impl City {
         let id = NodeId(NumberBlock::TRAVELLERS.first + self.agents.len() as u32);
         let space = self.space().clone();
         let newcomer = newcomer(id, self.agents.len(), (&space, region))?;
+        self.wake(region)?;
+        let doors = self.spots_at_portals(region);
         let environment = self.wake(region)?;
         let no_floor = || CityError::of_travel(&space, TravelError::NoFloor { region, within: 0.0 });
-        let (room, spot) = environment.room_to_enter().ok_or_else(no_floor)?;
+        let (room, spot) = environment.room_to_enter(&doors).ok_or_else(no_floor)?;
         let feet = Pose::translation(spot.x, spot.y, environment.floor().options().level);
-        let arrived = environment.arrive(&newcomer, (region, room), &Pose::identity(), feet, (spot, |_: &_| true));
+        let straight = |there: &Environment, other: &Point2<f32>| there.leads_straight(&spot, other);
+        let arrived = environment.arrive(&newcomer, (region, room), &Pose::identity(), feet, (spot, straight));
         let (spot, _) = arrived.map_err(|why| CityError::of_travel(&space, why))?;
         environment.place_feet(id, Pose::translation(spot.x, spot.y, feet.translation.z));
         self.whereabouts.insert(id, region);

@@ -23,6 +23,10 @@ pub(super) const THERE: f32 = 0.3;
 /// Whoever stands as near to a threshold is between the doors of a lift, metres: the two doors are 0.25 m apart, and a body
 /// is 0.25 m deep.
 pub(super) const BETWEEN: f32 = 0.4;
+/// Whoever stands as near to the line of a threshold is in its doorway, metres: half a wall and half a body with its arms.
+pub(super) const DOORWAY: f32 = 0.35;
+/// Nobody stops as near to the middle of a threshold, metres: the corner of a doorway 0.9 m wide, and as deep as a body.
+pub(super) const OFF: f32 = 0.6;
 /// How near to a threshold the doors of a cabin stand, metres: half the gap between the doors and a leaf's thickness.
 pub(super) const AT_THRESHOLD: f32 = 0.3;
 /// From how far a door is opened and shut, metres from its threshold: an arm's reach and half the depth of a wall.
@@ -36,6 +40,8 @@ pub(super) const LEAF: Span = Span(54);
 pub(super) const PATIENCE: Span = Span(60);
 /// How often one tries: it takes a minute, and longer before a full lift, which takes a try only where it stands open.
 pub(super) const TRIES: u32 = 60;
+/// How often one tries to open or shut a door where somebody stands in the doorway: it takes five to ten seconds.
+pub(super) const HANDLES: u32 = 5;
 /// How long one stands in a doorway for want of room beyond before one goes back: 2 s.
 pub(super) const RETREATS: Span = Span(120);
 /// How long one waits there who comes out of a lift or over stairs, as others come behind: 60 s, the time that tries take.

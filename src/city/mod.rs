@@ -2,7 +2,8 @@
 //!
 //! [`source`] is where scenes come from, [`residency`] which regions are there, [`dormant`] what is kept of the
 //! others, [`journey`] how agents get from one to
-//! another, [`leg`] by leg, by [passages](passage) along [ways](way) on which they [heed](heed) each other, [`door`] the doors between two
+//! another, [`leg`] by leg, by [passages](passage) along [ways](way) on which they [heed](heed) each other from
+//! [spots](spot) where they stand, [`door`] the doors between two
 //! regions, [`lift`] how cabins move, [`time`] how all of it goes on, [`save`] cities as bytes; [`measures`] has all speeds,
 //! times and sizes.
 
@@ -26,6 +27,7 @@ mod save;
 #[cfg(feature = "render")]
 mod sight;
 mod source;
+mod spot;
 mod time;
 mod way;
 

@@ -258,9 +258,11 @@ impl City {
         let home = self.active.get_mut(&from).ok_or_else(|| missing(from))?;
         let (departure, left) = home.depart(agent, from).map_err(travel)?;
         let next = self.active.get_mut(&into).ok_or_else(|| missing(into))?;
-        let room = plan.side(into).and_then(|side| side.room).or_else(|| next.room_to_enter().map(|(room, _)| room));
+        let room = plan.side(into).and_then(|side| side.room).or_else(|| next.room_to_enter(&[]).map(|(room, _)| room));
         let room = room.unwrap_or(NodeId(0));
-        let arrived = next.arrive(&departure, (into, room), shift, threshold, (spot, |_: &_| true));
+        let [from, _] = way::last_stretch(plan, into, spot);
+        let fits = |there: &Environment, spot: &Point2<f32>| there.leads_straight(&from, spot);
+        let arrived = next.arrive(&departure, (into, room), shift, threshold, (spot, fits));
         let (spot, entered) = arrived.map_err(travel)?;
         for node in departure.nodes() {
             if space.made_in(node) == Some(into) {

@@ -48,7 +48,7 @@ impl City {
     /// the lift; its doors open and shut by themselves only.
     ///
     /// # Errors
-    /// [`CityError::NoSuchAgent`], [`CityError::NoWay`], [`CityError::MovesByItself`].
+    /// [`CityError::NoSuchAgent`], [`CityError::NoWay`], [`CityError::NoWayOut`], [`CityError::MovesByItself`].
     pub fn give(&mut self, agent: NodeId, action: Action) -> Result<(), CityError> {
         self.environment_with(agent)?;
         if let Some(door) = action.object.filter(|door| self.is_of_lift(*door) && opens_or_shuts(action.verb)) {
@@ -69,6 +69,8 @@ impl City {
             self.endings.push(CityEnding { tick: self.tick, agent, action: Some(action), outcome });
             return Ok(());
         }
+        // One that is shut on nobody beyond has to wait for that one.
+        let is_beyond = is_beyond || self.behind_door(agent, &action).is_some();
         if is_beyond || self.journeys.contains_key(&agent) || self.stops.contains_key(&agent) {
             return self.set_out(agent, region, Some(action));
         }
@@ -89,7 +91,7 @@ impl City {
     /// Sends an agent to another region. It begins in the next tick of [`step`](Self::step).
     ///
     /// # Errors
-    /// [`CityError::NoSuchAgent`], [`CityError::NoWay`].
+    /// [`CityError::NoSuchAgent`], [`CityError::NoWay`], [`CityError::NoWayOut`].
     pub fn send(&mut self, agent: NodeId, region: RegionId) -> Result<(), CityError> {
         self.environment_with(agent)?;
         self.set_out(agent, Some(region), None)

@@ -435,7 +435,7 @@ impl Environment {
         near.into_iter().find(|p| self.stands_at(agent, p)).map(Into::into)
     }
 
-    fn stands_at(&self, agent: NodeId, at: &Point2<f32>) -> bool {
+    pub(super) fn stands_at(&self, agent: NodeId, at: &Point2<f32>) -> bool {
         let feet = Pose::translation(at.x, at.y, self.floor.options().level);
         // No body can be tried of somebody who is not here yet.
         let fits = || self.world.standing(agent, &feet).is_ok_and(|there| there.is_free());

@@ -43,6 +43,16 @@ pub enum TravelError {
 pub(crate) const APART: f32 = super::execute::APART;
 /// How far from a threshold one looks for free floor to stand on, metres.
 pub(crate) const BEYOND: f32 = 1.5;
+/// How far from a threshold the floor is not free as its walls are near, metres: half a body and the depth of a wall. No
+/// wall beside an opening is as thin as to end before that.
+const IN_WALLS: f32 = 0.5;
+/// The rings of half a metre in which one looks for a place to which one walks to make way, and the longest way to it, metres.
+const RINGS: i32 = 8;
+const FARTHEST: f32 = 6.0;
+/// The opennesses at which a leaf that swings is looked at.
+const SWING: [f32; 6] = [0.0, 0.2, 0.4, 0.6, 0.8, 1.0];
+/// The distance of the points of a straight way that are looked at, metres: a cell of the floor.
+const FINE: f32 = 0.05;
 
 /// The distance that somebody on a way keeps who has waited for a time, metres, here as within a region.
 pub(crate) fn apart_after(waited: Span) -> f32 {
@@ -76,6 +86,7 @@ impl Environment {
         let body = self.world.depart(agent).map_err(|why| PhysicalRefusal::from(why).in_scene(&self.graph))?;
         self.clock.about_to_change(&self.graph);
         let changes = load.leave(&mut self.graph)?;
+        self.excuse(&load.ids().collect::<Vec<NodeId>>());
         self.poses.remove(&agent);
         self.clock.note(changes.clone());
         self.read_anew(&load.ids().collect::<Vec<NodeId>>())?;
@@ -90,7 +101,7 @@ impl Environment {
         (region, room): (RegionId, NodeId),
         shift: &Pose,
         feet: Pose,
-        (towards, fits): (Point2<f32>, impl Fn(&Point2<f32>) -> bool),
+        (towards, fits): (Point2<f32>, impl Fn(&Self, &Point2<f32>) -> bool),
     ) -> Result<(Point2<f32>, ChangeSet), TravelError> {
         let before = self.graph.clone();
         self.clock.about_to_change(&self.graph);
@@ -101,7 +112,8 @@ impl Environment {
         let arrived = self.world.arrive(&body, feet).map_err(PhysicalRefusal::from);
         let spot = arrived.map_err(TravelError::from).and_then(|()| {
             self.floor.update(&self.world);
-            self.spot_near(agent, towards, fits).ok_or(TravelError::NoFloor { region, within: BEYOND })
+            self.spot_near(agent, towards, |spot| fits(self, spot))
+                .ok_or(TravelError::NoFloor { region, within: BEYOND })
         });
         let spot = match spot {
             Ok(spot) => spot,
@@ -113,7 +125,9 @@ impl Environment {
             }
         };
         self.clock.note(changes.clone());
-        self.read_anew(&who.nodes().collect::<Vec<NodeId>>())?;
+        let nodes: Vec<NodeId> = who.nodes().collect();
+        self.excuse(&nodes);
+        self.read_anew(&nodes)?;
         Ok((spot, changes))
     }
 
@@ -130,6 +144,38 @@ impl Environment {
         near.filter(|spot| (spot - at).norm() <= BEYOND)
     }
 
+    /// A free place some metres away, apart from others, that fits, and to which one gets over the floor; the nearest, by
+    /// rings of half a metre.
+    pub(crate) fn spot_on_foot(
+        &self,
+        agent: NodeId,
+        at: Point2<f32>,
+        fits: impl Fn(&Point2<f32>) -> bool,
+    ) -> Option<Point2<f32>> {
+        let others: Vec<Point2<f32>> = self.people_but(agent).map(|(_, at)| at).collect();
+        let is_apart = |spot: &Point2<f32>| others.iter().all(|other| (spot - other).norm() > APART);
+        let is_near = |spot| self.floor.route(at, spot).is_some_and(|way| way.length < FARTHEST);
+        let mut spots = (1..=RINGS).flat_map(|ring| make::around(&at, ring));
+        spots.find(|spot| self.stands_at(agent, spot) && is_apart(spot) && fits(spot) && is_near(*spot))
+    }
+
+    /// The free floor nearest to a point, at most 1.5 m away, that fits, whoever stands there.
+    pub(crate) fn free_floor_near(&self, at: Point2<f32>, fits: impl Fn(&Point2<f32>) -> bool) -> Option<Point2<f32>> {
+        // Of nobody who is here.
+        let near = self.free_near_where(NodeId(0), &at, fits).map(Point2::from);
+        near.filter(|spot| (spot - at).norm() <= BEYOND)
+    }
+
+    /// Whether a straight way over the free floor of a room leads to a spot from a threshold, or from where somebody stands.
+    pub(crate) fn leads_straight(&self, from: &Point2<f32>, spot: &Point2<f32>) -> bool {
+        let way = spot - from;
+        let begin = from + way.cap_magnitude(IN_WALLS);
+        let steps = ((spot - begin).norm() / FINE).ceil().max(1.0);
+        let points = (0..=steps as usize).map(|step| begin + (spot - begin) * (step as f32 / steps));
+        points.into_iter().all(|point| self.floor.is_free(point))
+            && self.start.room_at(begin) == self.start.room_at(*spot)
+    }
+
     /// The others who are here, and where they are.
     pub(crate) fn people_but(&self, agent: NodeId) -> impl Iterator<Item = (NodeId, Point2<f32>)> + '_ {
         let others = self.agents().iter().copied().filter(move |other| *other != agent);
@@ -141,10 +187,25 @@ impl Environment {
         self.is_idle(agent) && self.posture(agent) == Some(Posture::Standing)
     }
 
-    /// A room that one can enter, and a free place near its middle.
-    pub(crate) fn room_to_enter(&self) -> Option<(NodeId, Point2<f32>)> {
-        let mut rooms = self.graph.rooms().iter().filter_map(|room| make::middle(&self.graph, &self.floor, *room));
-        rooms.next()
+    /// Whether a leaf that swings would meet an agent where it stands.
+    pub(crate) fn is_swept_by(&self, agent: NodeId, leaf: NodeId) -> bool {
+        let there = self.world.pose(agent).and_then(|feet| self.world.standing(agent, &feet).ok());
+        let is_free =
+            |open: &[f32]| there.as_ref().is_none_or(|there| there.is_free_with_open(leaf, open).unwrap_or(true));
+        !is_free(&SWING) && is_free(&[])
+    }
+
+    /// A room that one can enter, and a free place near its middle: one from where a way leads to one of some points, if there
+    /// is such a room.
+    pub(crate) fn room_to_enter(&self, points: &[Point2<f32>]) -> Option<(NodeId, Point2<f32>)> {
+        let rooms = || self.graph.rooms().iter().filter_map(|room| make::middle(&self.graph, &self.floor, *room));
+        let reaches = |(_, spot): &(NodeId, Point2<f32>)| points.iter().any(|point| self.has_way(*spot, *point));
+        rooms().find(reaches).or_else(|| rooms().next())
+    }
+
+    /// Whether a way over the floor leads from a point to another one if nobody is in the way.
+    pub(crate) fn has_way(&self, from: Point2<f32>, to: Point2<f32>) -> bool {
+        self.floor.route(from, to).is_some()
     }
 
     /// Lets time pass while an agent is doing something, at most a span; returns the actions that have ended.
@@ -157,8 +218,9 @@ impl Environment {
     pub(crate) fn place_feet(&mut self, agent: NodeId, feet: Pose) {
         if self.world.teleport(agent, feet).is_ok() {
             self.clock.about_to_change(&self.graph);
-            self.clock.changed.push(agent);
-            self.clock.changed.extend(self.graph.held(agent));
+            let passers: Vec<NodeId> = std::iter::once(agent).chain(self.graph.held(agent)).collect();
+            self.excuse(&passers);
+            self.clock.changed.extend(passers);
             (self.clock.stirred, self.clock.unseen) = (true, true);
         }
     }

@@ -4,6 +4,7 @@ mod doors;
 mod passing;
 mod saves;
 mod sight;
+mod spots;
 mod together;
 mod worlds;
 

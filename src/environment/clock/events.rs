@@ -394,7 +394,11 @@ impl Environment {
     /// The action's effects hold from now on.
     pub(super) fn come_true(&mut self, agent: NodeId) {
         let Some(schedule) = self.clock.running.get_mut(&agent).filter(|s| s.truth.is_none()) else { return };
-        let truth = Truth::new(self.graph.clone(), agent, &schedule.action);
+        let mut truth = Truth::new(self.graph.clone(), agent, &schedule.action);
+        // Where others are who come and go is not read yet.
+        let others = |id: &NodeId| *id != agent && self.graph.agents().contains(id);
+        let stale: Vec<NodeId> = self.clock.changed.iter().copied().filter(others).collect();
+        truth.excuse(&stale);
         let changes = truth.changes.clone();
         let before = std::mem::replace(&mut self.graph, truth.ruled.clone());
         schedule.truth = Some(truth);
@@ -424,7 +428,7 @@ impl Environment {
         }
     }
 
-    pub(super) fn interrupted(&self, action: &Action, why: Interruption) -> ActionError {
+    pub(crate) fn interrupted(&self, action: &Action, why: Interruption) -> ActionError {
         ActionError::Interrupted { attempt: Attempt::new(action, &self.graph), why: Box::new(why) }
     }
 
