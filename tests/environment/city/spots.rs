@@ -67,7 +67,7 @@ fn who_comes_in_walks_over_free_floor_into_the_room_of_the_door() {
 fn who_makes_way_steps_into_no_doorway() {
     for seed in [33, 35] {
         let (mut city, storeys) = building(seed);
-        let (gallery, homes) = (storeys[1].gallery, storeys[1].homes.clone());
+        let (gallery, homes) = (storeys[1].gallery, storeys[1].homes);
         let within = [homes[0], homes[0], homes[1], homes[1], gallery, gallery];
         let mut agents: Vec<NodeId> = within.iter().map(|region| city.add_agent(*region).unwrap()).collect();
         for _ in 0..2 {
