@@ -381,7 +381,7 @@ fn what_a_door_throws_out_lies_where_it_falls() {
 /// graph knows, and goes along when it opens and shuts again.
 #[test]
 fn what_is_put_into_what_somebody_shuts_ends_somewhere() {
-    let (mut tried, mut put) = (0, 0);
+    let (mut tried, mut put, mut undone) = (0, 0, 0);
     for (seed, class) in [(59_575, "kitchen_cabinet"), (128, "dresser"), (140, "fridge"), (73_754, "fridge")] {
         let mut home = home(seed, 2);
         let (shuts, puts) = (home.agents()[0], home.agents()[1]);
@@ -412,6 +412,8 @@ fn what_is_put_into_what_somebody_shuts_ends_somewhere() {
                     assert!(!is_wrong, "{seed} {class} {delay}: {:?}", ending.outcome);
                 }
                 put += u32::from(endings.iter().any(|e| e.agent == puts && e.outcome.is_ok()));
+                let is_undone = |e: &Ending| matches!(interruption(e), Some(Interruption::Undone { .. }));
+                undone += u32::from(endings.iter().any(is_undone));
                 for action in [Action::walk(furniture), Action::open(furniture), Action::close(furniture)] {
                     does(&mut home, shuts, action);
                 }
@@ -426,7 +428,7 @@ fn what_is_put_into_what_somebody_shuts_ends_somewhere() {
             }
         }
     }
-    assert!(tried > 50 && put > 20, "{tried}, {put}");
+    assert!(tried > 50 && put > 20 && undone > 0, "{tried}, {put}, {undone}");
 }
 
 /// A book that is taken while somebody opens it is as open in the graph as it is.
