@@ -131,6 +131,12 @@ impl Environment {
         Ok((spot, changes))
     }
 
+    /// Whether a point is apart from all others who are here.
+    fn is_apart(&self, agent: NodeId) -> impl Fn(&Point2<f32>) -> bool + use<> {
+        let others: Vec<Point2<f32>> = self.people_but(agent).map(|(_, at)| at).collect();
+        move |spot| others.iter().all(|other| (spot - other).norm() > APART)
+    }
+
     /// The free floor nearest to a point, at most 1.5 m away, that is apart from others and fits.
     pub(crate) fn spot_near(
         &self,
@@ -138,9 +144,8 @@ impl Environment {
         at: Point2<f32>,
         fits: impl Fn(&Point2<f32>) -> bool,
     ) -> Option<Point2<f32>> {
-        let others: Vec<Point2<f32>> = self.people_but(agent).map(|(_, at)| at).collect();
-        let is_apart = |spot: &Point2<f32>| others.iter().all(|other| (spot - other).norm() > APART) && fits(spot);
-        let near = self.free_near_where(agent, &at, is_apart).map(Point2::from);
+        let is_apart = self.is_apart(agent);
+        let near = self.free_near_where(agent, &at, |spot| is_apart(spot) && fits(spot)).map(Point2::from);
         near.filter(|spot| (spot - at).norm() <= BEYOND)
     }
 
@@ -152,8 +157,7 @@ impl Environment {
         at: Point2<f32>,
         fits: impl Fn(&Point2<f32>) -> bool,
     ) -> Option<Point2<f32>> {
-        let others: Vec<Point2<f32>> = self.people_but(agent).map(|(_, at)| at).collect();
-        let is_apart = |spot: &Point2<f32>| others.iter().all(|other| (spot - other).norm() > APART);
+        let is_apart = self.is_apart(agent);
         let is_near = |spot| self.floor.route(at, spot).is_some_and(|way| way.length < FARTHEST);
         let mut spots = (1..=RINGS).flat_map(|ring| make::around(&at, ring));
         spots.find(|spot| self.stands_at(agent, spot) && is_apart(spot) && fits(spot) && is_near(*spot))
