@@ -174,6 +174,19 @@ impl PointIndex {
     }
 }
 
+impl PointIndex {
+    /// Whether the straight way between two points crosses some lines.
+    pub(crate) fn is_crossed<'a>(&self, way: [Point; 2], line: impl Fn(u32) -> Option<&'a Polyline>) -> bool {
+        let [from, to] = way;
+        let mut crossed = false;
+        self.parts_around(&nalgebra::center(&from, &to), (to - from).norm() / 2.0, |part| {
+            crossed |= line(part.line).is_some_and(|line| line.is_crossed_by(part.pieces(), way));
+            if crossed { 0.0 } else { f64::INFINITY }
+        });
+        crossed
+    }
+}
+
 impl Part {
     fn pieces(self) -> Range<usize> {
         self.piece as usize..self.piece as usize + RUN

@@ -182,6 +182,19 @@ impl StreetMap {
         self.inner.walk_index.nearest(point, within, edge).map(|(id, station)| (WalkEdgeId(id), station))
     }
 
+    /// The lanes whose middles come within a distance of a point, metres, with how near they come.
+    pub(crate) fn lanes_around(&self, point: &Point, within: f64) -> impl Iterator<Item = (LaneId, f64)> + use<> {
+        let near = self.inner.lane_index.each(point, within, |id| &self.inner.lanes[id as usize].line);
+        near.into_iter().map(|(id, near)| (LaneId(id), near.left.abs()))
+    }
+
+    /// The pavements and paths that come within a distance of a point, metres, each with the station that is nearest.
+    pub(crate) fn pavements_around(&self, point: &Point, within: f64) -> Vec<(WalkEdgeId, f64)> {
+        let near = self.inner.walk_index.each(point, within, |id| &self.inner.walk_edges[id as usize].line);
+        let pavement = |id: u32| self.inner.walk_edges[id as usize].kind.is_pavement();
+        near.into_iter().filter(|(id, _)| pavement(*id)).map(|(id, near)| (WalkEdgeId(id), near.station)).collect()
+    }
+
     /// Whether lights rule the end of a lane.
     pub(crate) fn is_lit(&self, lane: &Lane) -> bool {
         let junction = lane.next.first().and_then(|id| self.movement(*id)).and_then(|m| self.junction(m.junction));

@@ -233,6 +233,13 @@ pub enum WalkKind {
     Crossing(CrossingId),
 }
 
+impl WalkKind {
+    /// Whether it is a pavement, a path or a street that is walked on, and no corner or crossing.
+    pub(crate) fn is_pavement(self) -> bool {
+        matches!(self, Self::Lane(_) | Self::Shared(_))
+    }
+}
+
 /// An edge of the walkable network, walked both ways.
 ///
 /// ```

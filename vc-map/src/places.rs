@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::{BuildingId, LaneId, Point, WalkEdgeId};
+use crate::{BuildingId, LaneId, Point, Polyline, WalkEdgeId};
 
 /// A building: its outline and heights.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -56,6 +56,12 @@ impl Building {
             part: false,
             source: 0,
         }
+    }
+
+    /// Its outline and its courts as closed lines.
+    pub(crate) fn walls(&self) -> impl Iterator<Item = Polyline> {
+        let rings = std::iter::once(&self.outline).chain(&self.courts);
+        rings.filter_map(|ring| Polyline::new(ring.iter().chain(ring.first()).copied()))
     }
 }
 

@@ -199,6 +199,29 @@ impl Polyline {
             .windows(2)
             .any(|ends| other.points.windows(2).any(|others| crossing((ends[0], ends[1]), (others[0], others[1]))))
     }
+
+    /// Whether a straight way crosses some of its pieces, of which those count that there are.
+    pub(crate) fn is_crossed_by(&self, pieces: Range<usize>, [from, to]: [Point; 2]) -> bool {
+        let pieces = pieces.start..pieces.end.min(self.points.len() - 1);
+        pieces.into_iter().any(|piece| crossing((self.points[piece], self.points[piece + 1]), (from, to)))
+    }
+
+    /// Whether two pieces of it cross, other than the first and last of a ring. Costs the pairs of pieces that overlap along
+    /// X, and fewer where they cross.
+    pub(crate) fn crosses_itself(&self) -> bool {
+        let mut pieces: Vec<(f64, f64, usize)> = (0..self.points.len() - 1)
+            .map(|i| (self.points[i].x.min(self.points[i + 1].x), self.points[i].x.max(self.points[i + 1].x), i))
+            .collect();
+        pieces.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.2.cmp(&b.2)));
+        let ends = |piece: usize| (self.points[piece], self.points[piece + 1]);
+        let closed = (self.start() - self.end()).norm() < SAME;
+        let last = pieces.len() - 1;
+        let apart = |one: usize, other: usize| one.abs_diff(other) > 1 && !(closed && one.abs_diff(other) == last);
+        pieces.iter().enumerate().any(|(place, (_, right, one))| {
+            let overlap = pieces[place + 1..].iter().take_while(|(left, ..)| left <= right);
+            overlap.into_iter().any(|(.., other)| apart(*one, *other) && crossing(ends(*one), ends(*other)))
+        })
+    }
 }
 
 /// To the left of a direction.

@@ -1,6 +1,7 @@
 //! Junctions: their arms in order, how far these are cut back, and outlines.
 
 use std::collections::BTreeSet;
+use std::f64::consts::TAU;
 
 use nalgebra::Vector2;
 use vc_graph::portable::Portable;
@@ -9,7 +10,7 @@ use super::{MOST_ARMS, roundabout};
 use crate::parts::{Arm, Junction, Road};
 use crate::polyline::normal;
 use crate::signal::ConflictTable;
-use crate::{Control, JunctionId, MapDraft, MapError, Point, Polyline, RoadId};
+use crate::{Control, DrivingSide, JunctionId, MapDraft, MapError, Point, Polyline, RoadId, StripKind};
 
 /// The direction of an arm is that of its point at this distance, metres.
 const LOOK: f64 = 12.0;
@@ -39,8 +40,7 @@ pub(super) fn junctions(draft: &MapDraft, lines: &[Polyline]) -> Result<Vec<Junc
         .collect();
     for (index, (road, line)) in draft.roads.iter().zip(lines).enumerate() {
         for (start, id) in [(true, road.from), (false, road.to)] {
-            let junction = &mut junctions[id.index()];
-            junction.arms.push(Arm { road: RoadId::of(index), start, away: away(line, start, &junction.at) });
+            junctions[id.index()].arms.push(Arm { road: RoadId::of(index), start, away: away(line, start) });
         }
     }
     for (index, junction) in junctions.iter_mut().enumerate() {
@@ -48,17 +48,27 @@ pub(super) fn junctions(draft: &MapDraft, lines: &[Polyline]) -> Result<Vec<Junc
             let (part, count) = (JunctionId::of(index).to_string(), junction.arms.len());
             return Err(MapError::TooMany { part, what: "roads", count, most: MOST_ARMS });
         }
-        junction.arms.sort_by(|a, b| angle(&a.away).total_cmp(&angle(&b.away)).then(a.road.cmp(&b.road)));
+        let middle = junction.at;
+        junction.arms.sort_by_cached_key(|arm| (around(&lines[arm.road.index()], arm, &middle), arm.road));
     }
     Ok(junctions)
 }
 
-/// The direction from the middle of a junction to a point a little along the road.
-fn away(line: &Polyline, start: bool, middle: &Point) -> Vector2<f64> {
+/// The direction in which a road leaves its junction: that to a point a little along it.
+fn away(line: &Polyline, start: bool) -> Vector2<f64> {
     let look = LOOK.min(line.length());
-    let point = line.at(if start { look } else { line.length() - look });
+    let [begin, point] = [0.0, look].map(|away| line.at(if start { away } else { line.length() - away }));
     let along = if start { line.direction(0.0) } else { -line.direction(line.length()) };
-    (point - middle).try_normalize(0.1).unwrap_or(along)
+    (point - begin).try_normalize(0.1).unwrap_or(along)
+}
+
+/// The place of an arm around the middle of its junction: roads that begin beside each other and leave in one direction
+/// have an order, too. The bits of an angle that is not negative are in its order.
+fn around(line: &Polyline, arm: &Arm, middle: &Point) -> u64 {
+    let look = LOOK.min(line.length());
+    let point = line.at(if arm.start { look } else { line.length() - look });
+    let seen = (point - middle).try_normalize(0.1).unwrap_or(arm.away);
+    (angle(&seen) + TAU).to_bits()
 }
 
 fn angle(v: &Vector2<f64>) -> f64 {
@@ -70,6 +80,13 @@ fn reach(draft: &MapDraft, arm: &Arm) -> f64 {
     draft.roads[arm.road.index()].section.surface() / 2.0
 }
 
+/// The width of the pavement on the left or the right of an arm, seen away from the junction, metres.
+fn pavement(draft: &MapDraft, arm: &Arm, left: bool) -> f64 {
+    let forward = ((draft.side == DrivingSide::Right) == arm.start) != left;
+    let strips = draft.roads[arm.road.index()].section.side(forward).iter();
+    strips.filter(|strip| strip.kind == StripKind::Pavement).map(|strip| strip.width).sum()
+}
+
 /// The lengths that junctions take from the start and end of each road.
 pub(super) fn cuts(draft: &MapDraft, lines: &[Polyline], junctions: &[Junction]) -> Vec<[f64; 2]> {
     let mut cuts = vec![[0.0; 2]; draft.roads.len()];
@@ -79,15 +96,13 @@ pub(super) fn cuts(draft: &MapDraft, lines: &[Polyline], junctions: &[Junction])
         let walked = junction.arms.iter().any(|arm| !street(&arm)) || crossed.contains(&JunctionId::of(id));
         for (index, arm) in junction.arms.iter().enumerate() {
             let line = &lines[arm.road.index()];
-            let begin = if arm.start { line.start() } else { line.end() };
-            let along = (begin - junction.at).dot(&arm.away).max(0.0);
             let round = junction.draft.control == Control::MiniRoundabout;
             let least = match street(&arm) {
                 true if round => roundabout::CUT,
                 true if walked => CROSSED,
                 _ => LEAST,
             };
-            let cut = (cut(draft, junction, index) - along).clamp(least, FARTHEST_CUT);
+            let cut = cut(draft, lines, junction, index).clamp(least, FARTHEST_CUT);
             let most = (line.length() * LARGEST_PART).min((line.length() - LEFT) / 2.0).max(0.0);
             cuts[arm.road.index()][usize::from(!arm.start)] = cut.min(most);
         }
@@ -95,25 +110,34 @@ pub(super) fn cuts(draft: &MapDraft, lines: &[Polyline], junctions: &[Junction])
     cuts
 }
 
-/// How far from the middle an arm meets neither of its neighbours any more.
-fn cut(draft: &MapDraft, junction: &Junction, index: usize) -> f64 {
-    let arms = &junction.arms;
-    let (arm, count) = (&arms[index], arms.len());
+/// How far from its begin an arm meets none of the others any more: where its edge meets theirs.
+fn cut(draft: &MapDraft, lines: &[Polyline], junction: &Junction, index: usize) -> f64 {
+    let (arms, arm) = (&junction.arms, &junction.arms[index]);
     let street = |arm: &Arm| draft.roads[arm.road.index()].class.is_street();
+    let begin = |arm: &Arm| {
+        let line = &lines[arm.road.index()];
+        if arm.start { line.start() } else { line.end() }
+    };
     let corner = if arms.iter().filter(|arm| street(arm)).count() > 2 && street(arm) { 1.5 } else { 0.0 };
-    let other = |other: &Arm| {
+    let meets = |other: &Arm| {
         if !street(other) && street(arm) {
             return 0.0;
         }
-        let (mine, theirs) = (reach(draft, arm), reach(draft, other));
-        let (cosine, sine) = (arm.away.dot(&other.away), arm.away.perp(&other.away).abs());
+        let sine = arm.away.perp(&other.away);
         // Roads that go on straight, or nearly lie on each other, do not meet at a corner.
-        if sine < 0.3 {
-            return if cosine > 0.0 { FARTHEST_CUT / 2.0 } else { 0.0 };
+        if sine.abs() < 0.3 {
+            let apart = (begin(other) - begin(arm)).norm() > reach(draft, arm) + reach(draft, other);
+            return if arm.away.dot(&other.away) > 0.0 && !apart { FARTHEST_CUT / 2.0 } else { 0.0 };
         }
-        (theirs + mine * cosine) / sine + corner
+        // The edges that face each other; at an acute angle a pavement has to end before the other carriageway, too.
+        let left = sine.signum();
+        let beside = if arm.away.dot(&other.away) > 0.0 { pavement(draft, arm, left > 0.0) } else { 0.0 };
+        let mine = begin(arm) + normal(arm.away) * (left * (reach(draft, arm) + beside));
+        let theirs = begin(other) - normal(other.away) * (left * reach(draft, other));
+        (theirs - mine).perp(&other.away) / sine + corner
     };
-    other(&arms[(index + 1) % count]).max(other(&arms[(index + count - 1) % count]))
+    let others = arms.iter().enumerate().filter(|(other, _)| *other != index).map(|(_, other)| other);
+    others.map(meets).fold(0.0, f64::max)
 }
 
 /// Outlines: the corners of the cut ends, counter-clockwise.

@@ -1,8 +1,12 @@
 //! Parking bays, doors and stops, each beside its lane or pavement.
 
-use crate::parts::{Lane, WalkKind};
+use crate::index::PointIndex;
+use crate::parts::Lane;
 use crate::places::{Bay, Entrance, Stop};
-use crate::{LaneId, Point, StopKind, StreetMap, StripKind, Users};
+use crate::{BuildingId, LaneId, Point, Polyline, StopKind, StreetMap, StripKind, Users, WalkEdgeId};
+
+/// An edge of the walkable network and a station on it, metres.
+type Place = (WalkEdgeId, f64);
 
 /// The length and width of a bay along the kerb, metres.
 const ALONG: [f64; 2] = [5.75, 2.1];
@@ -14,6 +18,10 @@ const ACROSS_WIDTH: f64 = 2.5;
 const CLEAR: f64 = 5.0;
 /// A door is at most this far from the walkable network, metres.
 const DOOR: f64 = 200.0;
+/// The way from a door begins this far before its wall; another pavement is looked for so much further than twice as far as the
+/// nearest, metres.
+const DOORSTEP: f64 = 0.3;
+const AROUND: f64 = 20.0;
 /// A stop is at most this far from its lane, metres.
 const STOP: f64 = 25.0;
 
@@ -30,9 +38,10 @@ fn row(id: LaneId, lane: &Lane) -> impl Iterator<Item = Bay> {
 }
 
 pub(super) fn entrances(map: &StreetMap) -> Vec<Entrance> {
+    let walls = Walls::new(map);
     let entrance = |draft: &crate::EntranceDraft| {
         let door = Point::from(draft.at);
-        let near = map.pavement_near(&door, DOOR);
+        let near = map.pavement_near(&door, DOOR).map(|near| walls.free(map, draft.building, &door, near));
         Entrance {
             building: draft.building,
             door,
@@ -42,6 +51,45 @@ pub(super) fn entrances(map: &StreetMap) -> Vec<Entrance> {
         }
     };
     map.draft().entrances.iter().map(entrance).collect()
+}
+
+/// The walls of buildings, by place.
+struct Walls {
+    /// Outlines and courts, each with its building.
+    lines: Vec<(BuildingId, Polyline)>,
+    index: PointIndex,
+}
+
+impl Walls {
+    fn new(map: &StreetMap) -> Self {
+        let walls = map.buildings().iter().enumerate();
+        let lines: Vec<_> =
+            walls.flat_map(|(id, building)| building.walls().map(move |wall| (BuildingId::of(id), wall))).collect();
+        let index = PointIndex::new(lines.iter().enumerate().map(|(id, (_, line))| (id as u32, line)));
+        Self { lines, index }
+    }
+
+    /// The place on a pavement to which one comes from a door without going through its building: the nearest if there the way is
+    /// free, or another not much further away.
+    fn free(&self, map: &StreetMap, building: BuildingId, door: &Point, nearest: Place) -> Place {
+        let at = |(edge, station): Place| map.walk_edge(edge).map(|edge| edge.line.at(station));
+        let is_free = |place: &Place| {
+            let Some(way) = at(*place).map(|at| at - door) else { return false };
+            // A door lies on its wall.
+            let begin = door + way.cap_magnitude(DOORSTEP);
+            !self.index.is_crossed([begin, door + way], |id| {
+                let (of, line) = &self.lines[id as usize];
+                (*of == building).then_some(line)
+            })
+        };
+        if is_free(&nearest) {
+            return nearest;
+        }
+        let away = |place: &Place| at(*place).map_or(f64::INFINITY, |at| (at - door).norm());
+        let others = map.pavements_around(door, 2.0 * away(&nearest) + AROUND);
+        let free = others.into_iter().filter(is_free);
+        free.min_by(|a, b| away(a).total_cmp(&away(b)).then(a.0.cmp(&b.0))).unwrap_or(nearest)
+    }
 }
 
 pub(super) fn stops(map: &StreetMap) -> Vec<Stop> {
@@ -93,7 +141,7 @@ impl StreetMap {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn pavement_near(&self, point: &Point, within: f64) -> Option<(crate::WalkEdgeId, f64)> {
-        self.walk_edge_near(point, within, |edge| matches!(edge.kind, WalkKind::Lane(_) | WalkKind::Shared(_)))
+        self.walk_edge_near(point, within, |edge| edge.kind.is_pavement())
     }
 
     /// The doors of a building. Costs one pass over all doors.

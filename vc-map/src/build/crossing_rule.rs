@@ -9,8 +9,9 @@ use crate::{Control, CrossingKind, JunctionId, MapDraft, RoadClass, RoadDraft, R
 const NARROW: f64 = 12.0;
 const SLOW: f64 = 14.0;
 
-/// The most carriageways in one crossing: two of a road and a slip road. Over more one comes in several.
+/// The most carriageways in one crossing: two of a road and a slip road, and rails between them. Over more one comes in several.
 const MOST: usize = 3;
+const MOST_WITH_RAILS: usize = 5;
 
 /// A kind of crossing, and whether there is an island.
 type Crossing = (CrossingKind, bool);
@@ -51,14 +52,30 @@ impl<'a> CrossingRule<'a> {
         At { id, control: junction.draft.control, streets, paths }
     }
 
+    fn too_many(&self, over: &[RoadId]) -> bool {
+        let streets = over.iter().filter(|road| !self.road(**road).class.is_rail()).count();
+        streets > MOST || over.len() > MOST_WITH_RAILS
+    }
+
     /// How one crosses some roads, if the map has a crossing there.
     pub(super) fn given(&self, at: &At, over: &[RoadId]) -> Option<Crossing> {
-        if over.len() > MOST {
+        if self.too_many(over) {
             return None;
         }
-        let (kind, island) = *over.iter().filter_map(|road| self.given.get(&(at.id, *road))).min()?;
+        let given = *over.iter().filter_map(|road| self.given.get(&(at.id, *road))).min()?;
+        Some(Self::lit(at, given))
+    }
+
+    /// The crossing that the map has where a street goes on, on whichever side of the junction people come to it.
+    pub(super) fn through(&self, at: &At, junction: &Junction) -> Option<Crossing> {
+        let given = junction.arms.iter().filter_map(|arm| self.given.get(&(at.id, arm.road))).min();
+        given.filter(|_| at.streets == 2).map(|given| Self::lit(at, *given))
+    }
+
+    /// A crossing with the lights of its junction.
+    fn lit(at: &At, (kind, island): Crossing) -> Crossing {
         let lights = at.control == Control::Signals && kind != CrossingKind::Unmarked;
-        Some((if lights { CrossingKind::Signals } else { kind }, island))
+        (if lights { CrossingKind::Signals } else { kind }, island)
     }
 
     /// How one crosses some roads by rule, if one does; the first at its junction, or one of several.
@@ -66,7 +83,7 @@ impl<'a> CrossingRule<'a> {
         let roads = || over.iter().map(|road| self.road(*road));
         let banned = roads().any(|road| road.class == RoadClass::Motorway);
         let lit = at.control == Control::Signals;
-        if over.len() > MOST {
+        if self.too_many(over) {
             return None;
         }
         if lit && at.streets > 2 && !banned {

@@ -77,7 +77,12 @@ impl Plan<'_> {
 
     /// The lights of each green: those of the groups, and one for people who would have none.
     fn greens(&self) -> Vec<Vec<Light>> {
-        let mut greens: Vec<Vec<Light>> = self.groups().iter().map(|group| self.green(group)).collect();
+        let mut groups = self.groups();
+        if let ([arms], true) = (&groups[..], self.crossings.is_empty()) {
+            // Lights are there to stop somebody: those who would always go together go one after the other.
+            groups = arms.iter().map(|arm| vec![*arm]).collect();
+        }
+        let mut greens: Vec<Vec<Light>> = groups.iter().map(|group| self.green(group)).collect();
         let never = |row: &usize| !greens.iter().any(|green| green[*row] != Light::Red);
         let people: Vec<usize> = (self.movements.len()..self.size()).filter(never).collect();
         if !people.is_empty() {

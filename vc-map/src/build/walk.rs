@@ -18,6 +18,16 @@ const WIDTHS: [f64; 2] = [4.0, 3.0];
 /// A crossing begins this far from the junction, metres, and takes at most this part of a pavement.
 const BEHIND: f64 = 1.0;
 const LARGEST_PART: f64 = 0.4;
+/// The order of what leaves a junction is that on a circle so far outside of it, metres, found in so many steps.
+const OUTSIDE: f64 = 6.0;
+/// A crossing leads over a road, or comes so near to its end, metres; a corner that leads over one so far outside of the junction
+/// is a crossing. Beyond this no way at a junction is looked for.
+const BESIDE: f64 = 1.5;
+const INSIDE: f64 = 0.5;
+const REACH: f64 = 60.0;
+/// Arms lie on each other if they leave in nearly one direction: its cosine, for 17 degrees.
+const NEARLY: f64 = 0.955;
+const STEPS: u32 = 64;
 
 pub(super) struct Network {
     pub(super) nodes: Vec<WalkNode>,
@@ -105,7 +115,8 @@ struct Walk<'a> {
 impl Walk<'_> {
     fn junction(&mut self, id: JunctionId, junction: &mut Junction) {
         let at = self.rule.at(id, junction);
-        let pairs = self.pairs(id, junction);
+        let mut pairs = self.pairs(id, junction);
+        pairs.retain_mut(|pair| self.fits(junction, pair));
         let (corners, mut over): (Vec<Pair>, Vec<Pair>) = pairs.into_iter().partition(|pair| pair.over.is_empty());
         let ends = |pair: &Pair| (pair.ends[0].min(pair.ends[1]), pair.ends[0].max(pair.ends[1]));
         let round: BTreeSet<_> = corners.iter().map(ends).collect();
@@ -113,14 +124,22 @@ impl Walk<'_> {
         over.sort_by_key(|pair| self.rule.given(&at, &pair.over).is_none());
         let mut joined = BTreeSet::new();
         over.retain(|pair| joined.insert(ends(pair)));
+        let anywhere = over.iter().all(|pair| self.rule.given(&at, &pair.over).is_none());
+        let mut through = anywhere.then(|| self.rule.through(&at, junction)).flatten();
+        let mut chosen = Vec::new();
         for pair in over {
-            let known = self.rule.given(&at, &pair.over);
+            let known = self.rule.given(&at, &pair.over).or_else(|| through.take());
             // Around a dead end one walks along its edge.
-            let first = junction.crossings.is_empty();
+            let first = chosen.is_empty();
             let guessed = || (!round.contains(&ends(&pair))).then(|| self.rule.guess(&at, &pair.over, first)).flatten();
             if let Some((kind, island)) = known.or_else(guessed) {
-                self.cross(id, junction, pair, (kind, island, known.is_none()));
+                let width = self.ramps(&pair);
+                chosen.push((pair, width, (kind, island, known.is_none())));
             }
+        }
+        // A ramp may be one of two crossings: their lines lead from where it stands in the end.
+        for (pair, width, kind) in chosen {
+            self.cross(id, junction, pair, width, kind);
         }
         let mut joined = BTreeSet::new();
         for corner in corners.iter().filter(|pair| joined.insert(ends(pair))) {
@@ -129,13 +148,48 @@ impl Walk<'_> {
         }
     }
 
+    /// Sets the roads over which the straight way between two ends leads, and tells whether it is one: where a street has a
+    /// pavement on one side only, the way around its other side crosses nothing.
+    fn fits(&self, junction: &Junction, pair: &mut Pair) -> bool {
+        let [from, to] = pair.ends.map(|node| self.net.nodes[node.index()].at);
+        let Some(way) = Polyline::new([from, to]) else { return pair.over.is_empty() };
+        let corner = pair.over.is_empty();
+        // Of roads that meet in one point the order around it tells what lies between; of several nodes it does not.
+        if corner && !self.is_wide(junction) {
+            return true;
+        }
+        let crossed = |arm: &&Arm| {
+            let road = &self.roads[arm.road.index()];
+            let carriageway = self.has_carriageway(arm.road);
+            let expected = pair.over.contains(&arm.road);
+            carriageway && crosses(road, arm.start, &way, expected)
+        };
+        pair.over = junction.arms.iter().filter(crossed).map(|arm| arm.road).collect();
+        corner || !pair.over.is_empty()
+    }
+
+    /// Whether the roads of a junction begin at several points.
+    fn is_wide(&self, junction: &Junction) -> bool {
+        let begin = |arm: &Arm| {
+            let line = &self.roads[arm.road.index()].line;
+            if arm.start { line.start() } else { line.end() }
+        };
+        junction.arms.iter().any(|arm| (begin(arm) - junction.at).norm() > 1.0)
+    }
+
+    /// Whether a road has a carriageway on which people do not walk.
+    fn has_carriageway(&self, id: RoadId) -> bool {
+        let road = &self.roads[id.index()];
+        let paved = [true, false].iter().any(|forward| self.pavement(id, *forward).is_some());
+        let users = road.draft.section.users(true) | road.draft.section.users(false);
+        let walked = !paved && users.has(Users::FOOT);
+        !walked && (road.draft.class.is_street() || road.draft.class.is_rail())
+    }
+
     /// The ends of footways around a junction, each with the next one. At the edge of the map nobody walks on its outside,
     /// which is where arms are farthest from each other.
     fn pairs(&mut self, id: JunctionId, junction: &Junction) -> Vec<Pair> {
-        let mut items = Vec::new();
-        for arm in &junction.arms {
-            items.extend(self.items(id, arm).into_iter().map(|item| (arm.away, item)));
-        }
+        let items = self.around(id, junction);
         let ends: Vec<(usize, Vector2<f64>, WalkNodeId)> = items
             .iter()
             .enumerate()
@@ -166,6 +220,37 @@ impl Walk<'_> {
         pairs
     }
 
+    /// The ends of footways and the carriageways around a junction, counter-clockwise. Where arms lie on each other or begin at
+    /// several points, they come in the order in which they leave a circle around it: rails in a street between its pavements.
+    fn around(&mut self, id: JunctionId, junction: &Junction) -> Vec<(Vector2<f64>, Item)> {
+        let taken = |arm: &Arm| {
+            let road = &self.roads[arm.road.index()];
+            let cut = road.cuts[usize::from(!arm.start)];
+            (road.line.at(if arm.start { cut } else { road.line.length() - cut }) - junction.at).norm()
+        };
+        let radius = junction.arms.iter().map(taken).fold(0.0, f64::max) + OUTSIDE;
+        let mut items = Vec::new();
+        for arm in &junction.arms {
+            for item in self.items(id, arm) {
+                let line = match &item {
+                    Item::End(node) => self.line(self.feet[node.index()].way),
+                    Item::Carriageway(road) => self.roads[road.index()].line.clone(),
+                };
+                let line = if arm.start { line } else { line.reversed() };
+                items.push((leaves(&line, &junction.at, radius), arm.away, item));
+            }
+        }
+        if self.is_wide(junction) || are_beside(&junction.arms) {
+            let middle = junction.at;
+            items.sort_by_cached_key(|(place, ..)| {
+                let seen = place - middle;
+                // The bits of an angle that is not negative are in its order.
+                (seen.y.angle_to(seen.x) + std::f64::consts::TAU).to_bits()
+            });
+        }
+        items.into_iter().map(|(_, away, item)| (away, item)).collect()
+    }
+
     /// The ends of footways of an arm and its carriageway, counter-clockwise.
     fn items(&mut self, id: JunctionId, arm: &Arm) -> Vec<Item> {
         let road = &self.roads[arm.road.index()];
@@ -184,9 +269,7 @@ impl Walk<'_> {
         }
         let mut items = Vec::new();
         items.extend(right.map(|lane| Item::End(self.end(id, arm, Footway::Lane(lane)))));
-        if class.is_street() || class.is_rail() {
-            items.push(Item::Carriageway(arm.road));
-        }
+        items.extend(self.has_carriageway(arm.road).then_some(Item::Carriageway(arm.road)));
         items.extend(left.map(|lane| Item::End(self.end(id, arm, Footway::Lane(lane)))));
         items
     }
@@ -228,18 +311,24 @@ impl Walk<'_> {
         self.net.edges.extend(line.map(|line| WalkEdge { ends, kind, line, steps: false }));
     }
 
+    /// Sets the ramps of a crossing along the pavements, and tells its width, metres.
+    fn ramps(&mut self, Pair { ends, over, .. }: &Pair) -> f64 {
+        let major = over.iter().any(|road| self.roads[road.index()].draft.class <= RoadClass::Secondary);
+        let width = if major { WIDTHS[0] } else { WIDTHS[1] };
+        if ends.iter().all(|node| self.is_pavement_of(*node, over)) {
+            ends.iter().for_each(|node| self.set_back(*node, BEHIND + width / 2.0));
+        }
+        width
+    }
+
     fn cross(
         &mut self,
         id: JunctionId,
         junction: &mut Junction,
         Pair { ends, over: roads, .. }: Pair,
+        width: f64,
         (kind, island, guessed): (CrossingKind, bool, bool),
     ) {
-        let major = roads.iter().any(|road| self.roads[road.index()].draft.class <= RoadClass::Secondary);
-        let width = if major { WIDTHS[0] } else { WIDTHS[1] };
-        if ends.iter().all(|node| self.is_pavement_of(*node, &roads)) {
-            ends.iter().for_each(|node| self.set_back(*node, BEHIND + width / 2.0));
-        }
         let [from, to] = ends.map(|ramp| self.net.nodes[ramp.index()].at);
         let Some(line) = Polyline::new([from, to]) else { return };
         let crossing = CrossingId::of(self.net.crossings.len());
@@ -285,6 +374,30 @@ impl Walk<'_> {
         }
         Ok(())
     }
+}
+
+/// Whether a way leads over a road at a junction: one that is expected to anywhere along it or close to its end, another outside of
+/// the junction.
+fn crosses(road: &Road, start: bool, way: &Polyline, expected: bool) -> bool {
+    let length = road.line.length();
+    let (near, far) = (if expected { 0.0 } else { road.cuts[usize::from(!start)] + INSIDE }, REACH.min(length));
+    let part = if start { road.line.part(near, far) } else { road.line.part(length - far, length - near) };
+    let begin = if start { road.line.start() } else { road.line.end() };
+    let touches = || expected && (way.project(&begin).point - begin).norm() < BESIDE;
+    part.is_some_and(|part| part.crosses(way)) || touches()
+}
+
+/// Whether two neighbours of some arms leave in nearly one direction.
+fn are_beside(arms: &[Arm]) -> bool {
+    let next = arms.iter().cycle().skip(1);
+    arms.len() > 1 && arms.iter().zip(next).any(|(a, b)| a.away.dot(&b.away) > NEARLY)
+}
+
+/// The point at which a line leaves a circle, or its end.
+fn leaves(line: &Polyline, middle: &Point, radius: f64) -> Point {
+    let outside = |station: &f64| (line.at(*station) - middle).norm() >= radius;
+    let steps = (0..=STEPS).map(|step| radius * 2.0 * f64::from(step) / f64::from(STEPS));
+    line.at(steps.take_while(|station| *station < line.length()).find(outside).unwrap_or(line.length()))
 }
 
 /// The angle from one arm to another, counter-clockwise; a whole turn from an arm to itself.

@@ -108,8 +108,10 @@ fn parking(lane: &LaneTags<'_>, forward: bool) -> Option<f64> {
     old.or(new.map(|usual| stands.unwrap_or(usual)))
 }
 
-/// Adds pavements; true if they were guessed.
-pub(super) fn pavements(lane: &LaneTags<'_>, section: &mut CrossSection) -> bool {
+/// Adds pavements, and tells for those along the street and those against it if they were guessed: by the part of the street that
+/// a footway accompanies if it is that pavement. Where nothing is said that is half of it; where pavements are said to be mapped
+/// apart, which not all are, any.
+pub(super) fn pavements(lane: &LaneTags<'_>, section: &mut CrossSection) -> [Option<f64>; 2] {
     use RoadClass::{Minor, Primary, Residential, Secondary, Tertiary, Trunk};
     let urban = matches!(lane.class, Primary | Secondary | Tertiary | Minor | Residential);
     let width = match lane.class {
@@ -120,9 +122,14 @@ pub(super) fn pavements(lane: &LaneTags<'_>, section: &mut CrossSection) -> bool
     let keys = ["sidewalk", "sidewalk:both", "sidewalk:left", "sidewalk:right"];
     let tagged = keys.iter().any(|key| lane.tags.has(key));
     let separate = keys.iter().any(|key| lane.tags.is(key, "separate"));
-    let guessed = !tagged && urban && !lane.slip && lane.users.has(Users::FOOT);
-    for forward in [true, false] {
-        if has_pavement(lane, forward) || guessed {
+    let usual = urban && !lane.slip && lane.users.has(Users::FOOT);
+    let guessed = [true, false].map(|forward| match () {
+        () if usual && !tagged => Some(0.5),
+        () if usual && is_apart(lane, forward) => Some(0.0),
+        () => None,
+    });
+    for (forward, guessed) in [true, false].into_iter().zip(guessed) {
+        if has_pavement(lane, forward) || guessed.is_some() {
             side(section, forward).push(Strip::pavement(width));
         }
     }
@@ -134,6 +141,12 @@ pub(super) fn pavements(lane: &LaneTags<'_>, section: &mut CrossSection) -> bool
             .for_each(|strip| strip.users = strip.users | Users::FOOT);
     }
     guessed
+}
+
+/// Whether the pavement at the outer edge of a direction is mapped as a way of its own.
+fn is_apart(lane: &LaneTags<'_>, forward: bool) -> bool {
+    let own = format!("sidewalk:{}", lane.hand(forward));
+    ["sidewalk", "sidewalk:both", &own].iter().any(|key| lane.tags.is(key, "separate"))
 }
 
 /// Whether the outer edge of a direction has a pavement of the street.

@@ -64,7 +64,7 @@ impl Emitter<'_> {
             () if marks.any(|marks| marks.all_stop) => Control::AllWayStop,
             () => Control::Priority,
         };
-        let source: Vec<i64> = members.iter().map(|node| self.network.source.nodes[*node as usize].id).collect();
+        let source: Vec<i64> = members.iter().filter_map(|node| self.network.id(*node)).collect();
         source.iter().for_each(|id| self.network.source.keep(Element::Node(*id)));
         let id = JunctionId::of(self.draft.junctions.len());
         self.draft.junctions.push(JunctionDraft { at: at.into(), control, source });
@@ -146,8 +146,7 @@ impl Emitter<'_> {
                 }
                 ([] | [_], 1) => {}
                 _ => {
-                    let id = self.network.source.nodes[*node as usize].id;
-                    report.drop(Element::Node(id), Reason::WithinJunction);
+                    report.drop(self.network.element(*node), Reason::WithinJunction);
                 }
             }
         }
@@ -168,7 +167,7 @@ impl Emitter<'_> {
             let roads = self.roads.get(&head).into_iter().flatten().filter(street);
             let nearest = roads.map(|road| (away(road), *road)).min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
             let Some((_, road)) = nearest.filter(|(away, _)| *away < ON_ARM) else { continue };
-            let source = self.network.source.nodes[*node as usize].id;
+            let source = self.network.id(*node).unwrap_or_default();
             self.draft.crossings.push(CrossingDraft { at, road, kind, island: marks.island, source });
         }
     }

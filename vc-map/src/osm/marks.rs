@@ -39,11 +39,11 @@ impl Network<'_> {
         let source = self.source;
         for part in parts {
             let street = &self.streets[part.street];
-            let way = source.way(part.way).map(|way| source.way_tags(way));
+            let way = part.way.and_then(|way| source.way(way)).map(|way| source.way_tags(way));
             let along = way.filter(|tags| tags.is("footway", "crossing"));
             let along_kind = along.and_then(|tags| crossing(tags, true));
             for node in &part.nodes {
-                let tags = source.node_tags(&source.nodes[*node as usize]);
+                let Some(tags) = source.nodes.get(*node as usize).map(|node| source.node_tags(node)) else { continue };
                 if tags.is_empty() && along.is_none() {
                     continue;
                 }
@@ -119,7 +119,7 @@ fn barrier(tags: Tags<'_>, way: Option<Tags<'_>>) -> Users {
 }
 
 /// The kind of a crossing; `None` if there is none.
-fn crossing(tags: Tags<'_>, there: bool) -> Option<CrossingKind> {
+pub(super) fn crossing(tags: Tags<'_>, there: bool) -> Option<CrossingKind> {
     if !(there || tags.is("highway", "crossing") || tags.has("crossing")) {
         return None;
     }

@@ -34,6 +34,7 @@ mod data;
 mod emit;
 mod error;
 mod lanes;
+mod links;
 mod marks;
 mod merge;
 mod network;

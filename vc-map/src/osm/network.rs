@@ -40,7 +40,8 @@ impl Piece {
 
 /// A run of nodes of a way that are all in the file.
 pub(super) struct Part {
-    pub(super) way: i64,
+    /// Its way; `None` for one that was guessed.
+    pub(super) way: Option<i64>,
     pub(super) street: usize,
     pub(super) nodes: Vec<u32>,
 }
@@ -57,6 +58,8 @@ pub(super) struct Network<'a> {
     pub(super) marks: BTreeMap<u32, Marks>,
     /// Nodes at which ways leave the map.
     edges: BTreeSet<u32>,
+    /// The places of nodes that were added to those of the file.
+    added: Vec<Point>,
 }
 
 impl<'a> Network<'a> {
@@ -69,9 +72,11 @@ impl<'a> Network<'a> {
             at: BTreeMap::new(),
             marks: BTreeMap::new(),
             edges: BTreeSet::new(),
+            added: Vec::new(),
         };
-        let parts = network.parts(report);
+        let mut parts = network.parts(report);
         network.separate_pavements(&parts, report);
+        network.link_crossings(&mut parts, report);
         network.mark(&parts);
         network.cut(parts, report);
         network.merge();
@@ -100,7 +105,7 @@ impl<'a> Network<'a> {
             }
             let number = self.streets.len();
             self.streets.push(street);
-            parts.extend(found.into_iter().map(|nodes| Part { way: way.id, street: number, nodes }));
+            parts.extend(found.into_iter().map(|nodes| Part { way: Some(way.id), street: number, nodes }));
         }
         parts
     }
@@ -126,7 +131,24 @@ impl<'a> Network<'a> {
     }
 
     pub(super) fn point(&self, node: u32) -> Point {
-        self.source.point(node)
+        let added = (node as usize).checked_sub(self.source.points.len());
+        added.map_or_else(|| self.source.point(node), |index| self.added[index])
+    }
+
+    /// Adds a node that the file does not have.
+    pub(super) fn add_node(&mut self, at: Point) -> u32 {
+        self.added.push(at);
+        (self.source.points.len() + self.added.len() - 1) as u32
+    }
+
+    /// The number that a node has in the file; `None` for one that was added.
+    pub(super) fn id(&self, node: u32) -> Option<i64> {
+        self.source.nodes.get(node as usize).map(|node| node.id)
+    }
+
+    /// A node as an element of the file.
+    pub(super) fn element(&self, node: u32) -> Element {
+        Element::Node(self.id(node).unwrap_or_default())
     }
 
     pub(super) fn line(&self, nodes: &[u32]) -> Option<Polyline> {
@@ -160,10 +182,15 @@ impl<'a> Network<'a> {
     }
 
     fn add(&mut self, part: &Part, nodes: &[u32], report: &mut ImportReport) {
-        let mut drop = |reason| report.drop(Element::Way(part.way), reason);
+        let mut drop = |reason| part.way.iter().for_each(|way| report.drop(Element::Way(*way), reason));
         let Some(line) = self.line(nodes) else { return drop(Reason::NoShape) };
         let full = |node: &u32| self.at.get(node).is_some_and(|pieces| pieces.len() >= MOST);
-        let piece = Piece { ways: vec![part.way], street: part.street, nodes: nodes.to_vec(), length: line.length() };
+        let piece = Piece {
+            ways: part.way.into_iter().collect(),
+            street: part.street,
+            nodes: nodes.to_vec(),
+            length: line.length(),
+        };
         if piece.ends().iter().any(full) {
             return drop(Reason::TooManyMeet);
         }
@@ -189,7 +216,7 @@ impl<'a> Network<'a> {
 
     /// Whether the map ends at a node.
     pub(super) fn is_edge(&self, node: u32) -> bool {
-        let near = |bounds: [f64; 4]| self.source.nodes[node as usize].within(bounds) < EDGE;
+        let near = |bounds: [f64; 4]| self.source.nodes.get(node as usize).is_some_and(|n| n.within(bounds) < EDGE);
         self.edges.contains(&node) || self.source.bounds.is_some_and(near)
     }
 

@@ -8,13 +8,16 @@ use super::units::{metres, number};
 use super::{Element, Guessed, ImportReport, Reason};
 use crate::index::PointIndex;
 use crate::{
-    Area, AreaKind, Building, BuildingId, EntranceDraft, MapDraft, Point, Polyline, StopDraft, StopKind, Users,
+    Area, AreaKind, Building, BuildingId, EntranceDraft, MapDraft, Point, Polyline, RoadDraft, StopDraft, StopKind,
+    Structure, Users,
 };
 
 /// The height of a storey where nothing is mapped, metres.
 const STOREY: f64 = 3.1;
 /// A door is looked for on the side towards a way that is at most this far, metres.
 const WAY: f64 = 60.0;
+/// No carriageway reaches further from its middle, metres.
+const WIDEST: f64 = 30.0;
 
 /// Multipolygons have at most so many points for each that the ways of the file have: a way is part of some areas, not of all.
 const SHARED: usize = 4;
@@ -51,6 +54,10 @@ impl Places<'_> {
         for relation in &source.relations {
             let (tags, element) = (source.relation_tags(relation), Element::Relation(relation.id));
             let Some(place) = place(tags).filter(|_| tags.is("type", "multipolygon|building")) else { continue };
+            if is_underground(tags) {
+                self.report.drop(element, Reason::Underground);
+                continue;
+            }
             let found = source.multipolygon(relation);
             let none = found.areas.is_empty();
             let reason = |reason: &Reason| if none { *reason } else { in_part(*reason) };
@@ -75,6 +82,7 @@ impl Places<'_> {
             let (tags, element) = (self.source.way_tags(way), Element::Way(way.id));
             let Some(place) = place(tags) else { continue };
             match self.source.ring(way) {
+                Ok(_) if is_underground(tags) => self.report.drop(element, Reason::Underground),
                 Ok(area) => self.add(element, place, tags, area),
                 // A street can have the tags of an area as well.
                 Err(_) if self.source.is_kept(element) => {}
@@ -103,6 +111,12 @@ impl Places<'_> {
             }
         }
     }
+}
+
+/// Whether a building or area lies below the ground.
+fn is_underground(tags: Tags<'_>) -> bool {
+    let below = tags.read("layer", number).is_some_and(|layer| layer < 0.0);
+    tags.is("location", "underground") || tags.is("parking", "underground") || below
 }
 
 /// The reason for which an element is there in part only.
@@ -214,22 +228,23 @@ impl Places<'_> {
         }
     }
 
-    /// A door for each building without one: in the middle of the wall that is nearest to a way on which people walk.
+    /// A door for each building without one: in the middle of the wall that is nearest to a way on which people walk, and not
+    /// over a carriageway.
     fn guess_doors(&mut self) {
         let walked = |road: &&crate::RoadDraft| {
             let users = road.section.users(true) | road.section.users(false);
             users.has(Users::FOOT) && road.layer == 0
         };
-        let roads = self.draft.roads.iter().filter(walked);
-        let lines: Vec<Polyline> = roads.filter_map(|road| Polyline::new(road.line.iter().copied())).collect();
-        let index = PointIndex::new(lines.iter().enumerate().map(|(id, line)| (id as u32, line)));
+        let ways = Ways::new(self.draft.roads.iter().filter(walked));
+        let streets = self.draft.roads.iter().filter(|road| road.class.is_street() && road.layer == 0);
+        let streets = Ways::new(streets.filter(|road| road.structure == Structure::Ground));
         let mut has = vec![false; self.draft.buildings.len()];
         self.draft.entrances.iter().for_each(|entrance| has[entrance.building.index()] = true);
         for (number, building) in self.draft.buildings.iter().enumerate() {
             if has[number] || building.part || building.base > 0.0 {
                 continue;
             }
-            let Some(at) = door(building, &lines, &index) else { continue };
+            let Some(at) = door(building, &ways, &streets) else { continue };
             let building = BuildingId::of(number);
             self.draft.entrances.push(EntranceDraft { building, at, kind: "guessed".to_owned(), source: 0 });
             self.report.guess(self.buildings[number], Guessed::Entrance);
@@ -246,7 +261,30 @@ fn stop(tags: Tags<'_>) -> Option<StopKind> {
     }
 }
 
-fn door(building: &Building, lines: &[Polyline], index: &PointIndex) -> Option<[f64; 2]> {
+/// The lines of some roads, by place.
+struct Ways {
+    lines: Vec<Polyline>,
+    /// Half the width of the carriageway of each, metres.
+    halves: Vec<f64>,
+    index: PointIndex,
+}
+
+impl Ways {
+    fn new<'a>(roads: impl Iterator<Item = &'a RoadDraft>) -> Self {
+        let line = |road: &RoadDraft| Some((Polyline::new(road.line.iter().copied())?, road.section.surface() / 2.0));
+        let (lines, halves): (Vec<Polyline>, Vec<f64>) = roads.filter_map(line).unzip();
+        let index = PointIndex::new(lines.iter().enumerate().map(|(id, line)| (id as u32, line)));
+        Self { lines, halves, index }
+    }
+
+    /// Whether a point lies on a carriageway.
+    fn carry(&self, point: &Point) -> bool {
+        let near = self.index.each(point, WIDEST, |id| &self.lines[id as usize]);
+        near.into_iter().any(|(id, near)| near.left.abs() < self.halves[id as usize])
+    }
+}
+
+fn door(building: &Building, ways: &Ways, streets: &Ways) -> Option<[f64; 2]> {
     let ring = &building.outline;
     let walls = ring.iter().zip(ring.iter().cycle().skip(1));
     let middles = walls
@@ -255,15 +293,15 @@ fn door(building: &Building, lines: &[Polyline], index: &PointIndex) -> Option<[
     let mut best: Option<(f64, Point)> = None;
     // An outline of thousands of walls is tried at some of them.
     for middle in middles.step_by(1 + ring.len() / 64) {
-        let mut near = best.map_or(WAY, |(least, _)| least);
-        index.around(&middle, near, |id| {
-            let away = lines[id as usize].project(&middle).left.abs();
-            if away < near {
-                near = away;
-                best = Some((away, middle));
-            }
+        let least = best.map_or(WAY, |(least, _)| least);
+        let mut near = least;
+        ways.index.around(&middle, near, |id| {
+            near = near.min(ways.lines[id as usize].project(&middle).left.abs());
             near
         });
+        if near < least && !streets.carry(&middle) {
+            best = Some((near, middle));
+        }
     }
     best.map(|(_, at)| [at.x, at.y])
 }

@@ -44,6 +44,8 @@ pub enum Guessed {
     SignalAt(i64),
     /// The lights of a crossing are those of a junction further on; the crossing has marks.
     CrossingOf(i64),
+    /// A crossing between pavements that are mapped apart: so many paths lead from it to them.
+    Links(u32),
     /// A crossing with lights belongs to a junction without; the crossing has marks.
     NoLights,
 }
@@ -68,6 +70,8 @@ impl fmt::Display for Guessed {
             Self::MiddleLane => f.write_str("a divider: the lane in the middle is for those who turn"),
             Self::Edge => f.write_str("the map ends here"),
             Self::SignalAt(node) => write!(f, "the signal is that of the junction at node {node}"),
+            Self::Links(1) => f.write_str("a path from the crossing to the pavement that is mapped apart"),
+            Self::Links(_) => f.write_str("paths from the crossing to the pavements that are mapped apart"),
             Self::NoLights => f.write_str("marks: the junction beside the crossing has no lights"),
             Self::CrossingOf(node) => {
                 write!(f, "marks: the crossing's lights are those of the junction at node {node}")
@@ -84,6 +88,8 @@ pub enum Reason {
     NotThere,
     /// It is inside a building or goes up and down in one place.
     Indoors,
+    /// It lies below the ground, and the map has the surface.
+    Underground,
     /// Nobody whom the map knows may use it.
     NobodyMayUse,
     /// Nodes or members of it are not in the file.
@@ -108,6 +114,8 @@ pub enum Reason {
     OtherUsers,
     /// A signal or sign with no junction ahead.
     NoJunction,
+    /// A crossing with no pavement or path on one of its sides: nobody comes to it.
+    NobodyCrosses,
     /// A sign on a junction of equal streets, or on one that nobody comes to.
     NoArm,
     /// The map has no use for it.
@@ -125,6 +133,7 @@ impl fmt::Display for Reason {
         f.write_str(match self {
             Self::NotThere => "planned, being built, or no longer there",
             Self::Indoors => "indoors",
+            Self::Underground => "below the ground",
             Self::NobodyMayUse => "nobody may use it",
             Self::CutOff => "nodes or members are not in the file",
             Self::Shortened => "in part: some nodes or members are not in the file",
@@ -137,6 +146,7 @@ impl fmt::Display for Reason {
             Self::AtTimes => "holds at some times only",
             Self::OtherUsers => "for users whom the map does not know",
             Self::NoJunction => "a signal or sign with no junction ahead",
+            Self::NobodyCrosses => "a crossing without a pavement or path on each side",
             Self::NoArm => "a sign on a junction of equal streets: nobody knows for whom",
             Self::NoUse => "no use for it",
             Self::TooManyMeet => "too many ways meet",

@@ -3,9 +3,10 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::clusters::{CROSSING, Clusters, NEAR, clusters, degree};
+use super::marks::Marks;
 use super::network::{Network, Piece};
 use super::{Element, Guessed, ImportReport, Reason};
-use crate::CrossingKind;
+use crate::{CrossingKind, StripKind, Users};
 
 /// A signal or sign rules the junction at most this far ahead, metres.
 pub(super) const AHEAD: f64 = 60.0;
@@ -18,6 +19,7 @@ const NODES: usize = 64;
 /// belong to the junction beside it if that has lights. They light a junction by themselves only if all its arms have
 /// such a crossing.
 pub(super) fn signals(network: &mut Network<'_>, report: &mut ImportReport) -> (Clusters, BTreeSet<u32>) {
+    unwalked(network, report);
     let people = crossings(network);
     let signals = |node: &u32| network.marks.get(node).is_some_and(|marks| marks.signals);
     let mut apart: BTreeSet<u32> = people.iter().copied().filter(|node| !signals(node)).collect();
@@ -83,7 +85,38 @@ fn crossings(network: &Network<'_>) -> Vec<u32> {
 }
 
 fn id(network: &Network<'_>, node: u32) -> i64 {
-    network.source.nodes[node as usize].id
+    network.id(node).unwrap_or_default()
+}
+
+/// Takes away the crossings between junctions that nobody can come to: those with lights would stop traffic for nobody.
+fn unwalked(network: &mut Network<'_>, report: &mut ImportReport) {
+    let between = |node: u32| (1..=2).contains(&degree(network, node));
+    let lost = |(node, marks): (&u32, &Marks)| {
+        (marks.crossing.is_some() && between(*node) && sides(network, *node) < 2).then_some(*node)
+    };
+    let lost: Vec<u32> = network.marks.iter().filter_map(lost).collect();
+    for node in lost {
+        report.drop(network.element(node), Reason::NobodyCrosses);
+        if let Some(marks) = network.marks.get_mut(&node) {
+            marks.crossing = None;
+        }
+    }
+}
+
+/// The number of sides from which people come to a node of a street, by paths that end there and by pavements.
+fn sides(network: &Network<'_>, node: u32) -> usize {
+    let numbers = network.at.get(&node).into_iter().flatten();
+    let streets = numbers.filter_map(|number| network.pieces[*number].as_ref()).map(|piece| network.street(piece));
+    let (mut paths, mut pavements) = (0, [false; 2]);
+    for street in streets {
+        if !street.class.is_street() {
+            paths += usize::from((street.section.users(true) | street.section.users(false)).has(Users::FOOT));
+        }
+        for (has, forward) in pavements.iter_mut().zip([true, false]) {
+            *has |= street.section.side(forward).iter().any(|strip| strip.kind == StripKind::Pavement);
+        }
+    }
+    paths + pavements.iter().filter(|has| **has).count()
 }
 
 /// Makes a crossing one without lights.

@@ -16,7 +16,7 @@ impl Emitter<'_> {
         let between = between(self.network);
         for (node, marks) in &self.network.marks {
             let Some(kind) = marks.sign else { continue };
-            let source = self.network.source.nodes[*node as usize].id;
+            let source = self.network.id(*node).unwrap_or_default();
             let found = junction(self, *node, marks, between.get(node).copied());
             let found = found.and_then(|found| Some((*self.ids.get(&self.clusters.of(found.node))?, found)));
             let Some((at, found)) = found else {

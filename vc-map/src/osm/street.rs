@@ -19,8 +19,8 @@ pub(super) struct Street {
     pub(super) private: bool,
     /// Whether its nodes are in the order against its direction.
     pub(super) reversed: bool,
-    /// Whether its pavements were guessed: they are taken away where footways lie beside it.
-    pub(super) guessed_pavements: bool,
+    /// The guessed pavements along and against it: the part of it that footways accompany if they are those.
+    pub(super) guessed_pavements: [Option<f64>; 2],
 }
 
 /// The class of a way and whether it is a slip road, or why it is none; `None` without a reason for ways that are no roads at
@@ -188,7 +188,7 @@ pub(super) fn street(
         private: tags.is("access", "private|customers|delivery|permit")
             || tags.is("motor_vehicle", "private|destination"),
         reversed,
-        guessed_pavements: false,
+        guessed_pavements: [None; 2],
     };
     let limits = limits(tags, class, slip, reversed, element, report);
     if class.is_street() {

@@ -105,11 +105,35 @@ impl Router {
         Self { map: map.clone(), mode, graph, ground }
     }
 
-    /// The fastest route from a point to a point, each at the nearest lane or pavement within 200 m. `None` without a way. Costs
-    /// a look at the roads between, and memory for each road of the map while it lasts.
+    /// The fastest route from a point to a point, each at the nearest lane or pavement within 200 m. Where no way leads from
+    /// lane to lane, because one leaves the map for example, it begins or ends on the other side of the road. `None` without a way.
+    /// Costs a look at the roads between, and memory for each road of the map while it lasts.
+    ///
+    /// ```
+    /// # use vc_map::route::{Mode, Router};
+    /// # use vc_map::{Control, CrossSection, MapDraft, RoadClass, Strip};
+    /// # let mut draft = MapDraft::new("street", 48.1, 11.6);
+    /// # let ends = [[0.0, 0.0], [100.0, 0.0], [200.0, 0.0]].map(|at| draft.junction(at, Control::Edge));
+    /// # let side = vec![Strip::driving(3.0, 10.0)];
+    /// # for pair in ends.windows(2) {
+    /// #     let section = CrossSection { forward: side.clone(), backward: side.clone(), median: 0.0 };
+    /// #     draft.road(pair[0], pair[1], RoadClass::Residential, section);
+    /// # }
+    /// # let map = draft.build()?; // a street along X that leaves the map at both ends
+    /// // The lane to the north leads west, out of the map; the one to the south leads east.
+    /// let drive = Router::new(&map, Mode::Car).route(&[20.0, 4.0].into(), &[180.0, 4.0].into()).ok_or("no way")?;
+    /// assert_eq!(drive.line.start(), [20.0, -1.5].into());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn route(&self, from: &Point, to: &Point) -> Option<Route> {
         let (start, end) = (self.ground.near(&self.map, from, NEAR)?, self.ground.near(&self.map, to, NEAR)?);
-        self.between(start, end, [None, None])
+        let between = |start: network::Place, end: network::Place| self.between(start, end, [None, None]);
+        between(start, end).or_else(|| {
+            let (from, to) = (self.ground.opposite(&start), self.ground.opposite(&end));
+            let sides = [(from, Some(end)), (Some(start), to), (from, to)];
+            let routes = sides.into_iter().filter_map(|(start, end)| between(start?, end?));
+            routes.min_by(|a, b| a.seconds.total_cmp(&b.seconds))
+        })
     }
 
     /// The fastest way on foot from a point within 200 m of the walkable network to a door. `None` for other modes and without

@@ -161,6 +161,14 @@ impl Ground {
         }
     }
 
+    /// The same place of a road on its other side, if one drives there.
+    pub(super) fn opposite(&self, place: &Place) -> Option<Place> {
+        let Self::Sides { sides, of, .. } = self else { return None };
+        let side = &sides[place.item];
+        let item = *of.get(&(side.road, !side.forward))?;
+        Some(Place { item, station: sides[item].line.project(&side.line.at(place.station)).station })
+    }
+
     /// The cost of going along one item, if both places lie on it one after the other.
     pub(super) fn direct(&self, start: &Place, end: &Place) -> Option<Cost> {
         let ahead = end.station - start.station;
@@ -270,6 +278,10 @@ impl Way {
     fn walk(&mut self, map: &StreetMap, costs: &[Cost], start: Place, end: Place, nodes: &[u32]) {
         let edges = map.walk_edges();
         let mut along = |item: usize, from: f64, to: f64| {
+            // Whoever starts or ends at a node goes along one edge less.
+            if from == to && !nodes.is_empty() {
+                return self.push(&edges[item].line, from, to);
+            }
             self.legs.push(Leg::Walk(WalkEdgeId::of(item), from <= to));
             self.push(&edges[item].line, from, to);
         };

@@ -3,10 +3,32 @@
 use petgraph::unionfind::UnionFind;
 
 use super::MapViolation;
-use crate::{Control, CrossingId, CrossingKind, JunctionId, RoadClass, StreetMap, StripKind, Users, WalkNodeId};
+use crate::{
+    Control, CrossingId, CrossingKind, JunctionId, LaneId, Point, RoadClass, RoadCrossing, RoadId, StreetMap,
+    StripKind, Users, WalkEdge, WalkEdgeId, WalkKind, WalkNodeId,
+};
+
+/// Ends of edges are this near to their nodes, metres; edges between nodes at one place have a centimetre.
+const APART: f64 = 0.05;
+/// The last part of a lane, which a corner may touch, and how near a crossing comes to the end of a road, metres.
+const END: f64 = 0.4;
+const BESIDE: f64 = 2.0;
 
 pub(super) fn violations(map: &StreetMap) -> Vec<MapViolation> {
     let mut found = cut_off(map);
+    for (index, edge) in map.walk_edges().iter().enumerate() {
+        let id = WalkEdgeId::of(index);
+        found.extend(in_lane(map, edge).map(|lane| MapViolation::WalkInLane { edge: id, lane }));
+        let metres = gap(map, edge);
+        if metres > APART {
+            found.push(MapViolation::WalkGap { edge: id, metres });
+        }
+    }
+    for (index, crossing) in map.crossings().iter().enumerate() {
+        let beside = crossing.roads.iter().filter(|road| !crosses(map, crossing, **road));
+        let crossing = CrossingId::of(index);
+        found.extend(beside.map(|road| MapViolation::CrossesNothing { crossing, road: *road }));
+    }
     for (index, junction) in map.junctions().iter().enumerate() {
         if junction.draft.control == Control::Signals {
             found.extend(no_crossing(map, JunctionId::of(index)));
@@ -19,6 +41,50 @@ pub(super) fn violations(map: &StreetMap) -> Vec<MapViolation> {
         );
     }
     found
+}
+
+/// How far the ends of an edge are from its nodes, metres.
+fn gap(map: &StreetMap, edge: &WalkEdge) -> f64 {
+    let away = |node: WalkNodeId, point: Point| map.walk_node(node).map_or(0.0, |node| (node.at - point).norm());
+    away(edge.ends[0], edge.line.start()).max(away(edge.ends[1], edge.line.end()))
+}
+
+/// A lane for cars over which a pavement or corner leads. Those who walk in a street without pavements come from its middle.
+fn in_lane(map: &StreetMap, edge: &WalkEdge) -> Option<LaneId> {
+    let shared = |node: &WalkNodeId| {
+        let edges = map.walk_edges_at(*node).iter().filter_map(|id| map.walk_edge(*id));
+        edges.map(|edge| edge.kind).any(|kind| matches!(kind, WalkKind::Shared(_)))
+    };
+    let levels: Vec<i8> = match edge.kind {
+        WalkKind::Corner(id) if !edge.ends.iter().any(shared) => {
+            let arms = map.junction(id)?.arms.iter().filter_map(|arm| map.road(arm.road));
+            arms.map(|road| road.draft.layer).collect()
+        }
+        WalkKind::Lane(id) => {
+            let lane = map.lane(id).filter(|lane| lane.kind == StripKind::Pavement)?;
+            vec![map.road(lane.road)?.draft.layer]
+        }
+        _ => return None,
+    };
+    let [low, high] = edge.line.bounds();
+    let around = map.lanes_around(&nalgebra::center(&low, &high), (high - low).norm() / 2.0);
+    let mut over = around.filter(|(id, _)| {
+        map.lane(*id).is_some_and(|lane| {
+            let level = map.road(lane.road).is_some_and(|road| levels.contains(&road.draft.layer));
+            let drives = lane.users.has(Users::CAR) && !lane.users.has(Users::FOOT);
+            // Around a dead end one walks along the end of its lanes.
+            let inner = lane.line.part(END, lane.line.length() - END);
+            drives && level && inner.is_some_and(|line| line.crosses(&edge.line))
+        })
+    });
+    over.next().map(|(id, _)| id)
+}
+
+/// Whether a crossing leads over a road, or past its end at the junction.
+fn crosses(map: &StreetMap, crossing: &RoadCrossing, road: RoadId) -> bool {
+    let Some(road) = map.road(road) else { return true };
+    let end = if road.draft.from == crossing.junction { road.line.start() } else { road.line.end() };
+    road.line.crosses(&crossing.line) || (crossing.line.project(&end).point - end).norm() < BESIDE
 }
 
 fn cut_off(map: &StreetMap) -> Vec<MapViolation> {

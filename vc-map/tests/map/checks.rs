@@ -47,10 +47,11 @@ fn a_road_that_begins_far_from_its_junction_is_told() {
     draft.roads[road.index()].line = vec![[300.0, 0.0], [400.0, 0.0]];
     let map = draft.build().unwrap();
     let found = map.validate();
-    assert_eq!(found.len(), 4);
-    for violation in found {
+    assert_eq!(found.len(), 5);
+    assert_eq!(found[0], MapViolation::Aside { road, junction: ends[0], metres: 300.0 });
+    for violation in &found[1..] {
         let MapViolation::Gap { junction, lane, metres } = violation else { panic!("{violation}") };
-        assert!(junction == ends[0] && map.lane(lane).unwrap().road == road && metres > 299.0);
+        assert!(*junction == ends[0] && map.lane(*lane).unwrap().road == road && *metres > 299.0);
     }
 }
 

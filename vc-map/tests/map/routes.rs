@@ -85,6 +85,11 @@ fn ways_on_foot_end_at_doors_and_are_as_fast_as_any() {
             let least = last(0).min(last(1));
             // Costs are kept in whole milliseconds.
             assert!((route.seconds - least).abs() < 0.1, "{} {least}", route.seconds);
+            for pair in route.legs.windows(2) {
+                let [Leg::Walk(one, along), Leg::Walk(next, on)] = *pair else { panic!("{pair:?}") };
+                let ends = |id| map.walk_edge(id).unwrap().ends;
+                assert_eq!(ends(one)[usize::from(along)], ends(next)[usize::from(!on)], "legs meet");
+            }
             let lines: Vec<f64> = route.line.points().windows(2).map(|w| (w[1] - w[0]).norm()).collect();
             assert!(lines.iter().all(|step| *step < 500.0));
         }

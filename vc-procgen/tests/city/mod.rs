@@ -11,7 +11,7 @@ use vc_procgen::city::{
 };
 
 /// The digests of the texts of plans of seeds 0, 1 and 2: the same on every machine.
-const DIGESTS: [&str; 3] = ["ea53a50e43654484", "505fd5a7f33dd3aa", "97c6579edb9aa526"];
+const DIGESTS: [&str; 3] = ["4e7f04fa2e474c05", "9493c857df01e7a6", "fba783ef140c1129"];
 
 fn plan(seed: u64) -> CityPlan {
     CityPlan::from_seed(Seed(seed)).unwrap()

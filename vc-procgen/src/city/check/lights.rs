@@ -24,7 +24,20 @@ pub(super) fn check(plan: &CityPlan, found: &mut Found) {
             MapViolation::CutOff { .. } | MapViolation::DeadLane { .. } | MapViolation::Gap { .. } => {
                 CityRule::StreetsCutOff
             }
-            _ => CityRule::PhasesConflict,
+            MapViolation::MissingConflict { .. }
+            | MapViolation::UnsafePhase { .. }
+            | MapViolation::ShortClearance { .. }
+            | MapViolation::NeverGreen { .. }
+            | MapViolation::NeverRed { .. } => CityRule::PhasesConflict,
+            MapViolation::Aside { .. } | MapViolation::Tangled { .. } | MapViolation::Overlap { .. } => {
+                CityRule::StreetsCross
+            }
+            MapViolation::DoorAway { .. } | MapViolation::DoorWithoutWay { .. } | MapViolation::DoorInLane { .. } => {
+                CityRule::EntranceOffPavement
+            }
+            MapViolation::CrossesNothing { .. } => CityRule::CrossingMissing,
+            // Pavements in lanes, buildings on streets.
+            _ => CityRule::LaneOnPavement,
         };
         found.add(rule, CityPart::City, at, 0.0);
     }

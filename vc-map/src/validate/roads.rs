@@ -1,0 +1,75 @@
+//! Roads as they are described: lines that begin at their junctions, do not cross themselves, and lie beside each other.
+
+use std::collections::BTreeMap;
+
+use super::MapViolation;
+use crate::{Lane, LaneId, RoadId, StreetMap, StripKind, Users};
+
+/// A road's line begins this near to a junction that is one point, metres.
+const AT: f64 = 1.0;
+/// Lanes are looked at each so many metres, at most so often.
+const STEP: f64 = 5.0;
+const MOST: f64 = 400.0;
+/// Lanes lie on each other if this part of one does, and vehicles of this width on them touch, metres.
+const PART: f64 = 0.5;
+const VEHICLE: f64 = 1.8;
+
+pub(super) fn violations(map: &StreetMap) -> Vec<MapViolation> {
+    let mut found = Vec::new();
+    for (index, road) in map.roads().iter().enumerate() {
+        let id = RoadId::of(index);
+        for (junction, point) in [(road.draft.from, road.line.start()), (road.draft.to, road.line.end())] {
+            let Some(place) = map.junction(junction) else { continue };
+            let metres = (place.at - point).norm();
+            // Of several nodes that are one junction each road begins at its own.
+            if place.draft.source.len() <= 1 && metres > AT {
+                found.push(MapViolation::Aside { road: id, junction, metres });
+            }
+        }
+        if road.line.crosses_itself() {
+            found.push(MapViolation::Tangled { road: id });
+        }
+    }
+    found.extend(overlaps(map));
+    found
+}
+
+/// Streets that lie on each other for most of a lane.
+fn overlaps(map: &StreetMap) -> impl Iterator<Item = MapViolation> {
+    let mut pairs: BTreeMap<[RoadId; 2], f64> = BTreeMap::new();
+    for (index, lane) in map.lanes().iter().enumerate().filter(|(_, lane)| drives(lane)) {
+        for (other, metres) in beside(map, LaneId::of(index), lane) {
+            let pair = [lane.road.min(other), lane.road.max(other)];
+            let known = pairs.entry(pair).or_default();
+            *known = known.max(metres);
+        }
+    }
+    pairs.into_iter().map(|(roads, metres)| MapViolation::Overlap { roads, metres })
+}
+
+fn drives(lane: &Lane) -> bool {
+    lane.kind == StripKind::Driving && lane.users.any(Users::CAR | Users::BUS)
+}
+
+/// The other roads whose lanes lie on a lane for most of its length, with the metres.
+fn beside(map: &StreetMap, id: LaneId, lane: &Lane) -> Vec<(RoadId, f64)> {
+    let steps = (lane.line.length() / STEP).ceil().clamp(1.0, MOST);
+    let Some(road) = map.road(lane.road) else { return Vec::new() };
+    let level = |road: &crate::Road| (road.draft.layer, road.draft.structure);
+    let mut hits: BTreeMap<RoadId, f64> = BTreeMap::new();
+    for step in 0..steps as u32 {
+        let at = lane.line.at((f64::from(step) + 0.5) * lane.line.length() / steps);
+        let mut here: Vec<RoadId> = map
+            .lanes_around(&at, VEHICLE)
+            .filter(|(other, _)| *other != id)
+            .filter_map(|(other, _)| map.lane(other).filter(|lane| drives(lane)))
+            .filter(|other| other.road != lane.road && map.road(other.road).is_some_and(|r| level(r) == level(road)))
+            .map(|other| other.road)
+            .collect();
+        here.sort_unstable();
+        here.dedup();
+        here.into_iter().for_each(|road| *hits.entry(road).or_default() += 1.0);
+    }
+    let most = hits.into_iter().filter(|(_, count)| count / steps > PART && lane.line.length() > STEP);
+    most.map(|(road, count)| (road, count / steps * lane.line.length())).collect()
+}

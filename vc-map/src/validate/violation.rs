@@ -1,0 +1,293 @@
+//! The kinds of violation, with their places and texts.
+
+use std::fmt;
+
+use crate::{
+    BuildingId, CrossingId, EntranceId, JunctionId, LaneId, Point, RoadId, SignalId, StreetMap, WalkEdgeId, WalkNodeId,
+};
+
+/// Something that is wrong with a map.
+///
+/// ```
+/// # use vc_map::{Control, CrossSection, MapDraft, RoadClass, Strip};
+/// # let mut draft = MapDraft::new("street", 48.1, 11.6);
+/// # let ends = [[0.0, 0.0], [100.0, 0.0]].map(|at| draft.junction(at, Control::Edge));
+/// # let side = vec![Strip::driving(3.0, 15.0), Strip::pavement(2.0)];
+/// # let section = CrossSection { forward: side.clone(), backward: side, median: 0.0 };
+/// # draft.road(ends[0], ends[1], RoadClass::Primary, section);
+/// # let map = draft.build()?; // a fast street that leaves the map at both ends: nobody crosses it
+/// let wrong = map.validate();
+/// assert!(wrong.iter().any(|v| v.kind() == "pavements cut off" && v.place(&map).is_some()));
+/// assert!(wrong[0].to_string().ends_with("are cut off from the pavements"));
+/// # Ok::<(), vc_map::MapError>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub enum MapViolation {
+    /// Lanes for cars that cannot be reached from the main part of the network, or from which it cannot be reached.
+    CutOff {
+        /// One of the lanes.
+        lane: LaneId,
+        /// The number of lanes in this part.
+        lanes: usize,
+    },
+    /// A lane ends at a junction, and nothing goes on.
+    DeadLane {
+        /// The lane.
+        lane: LaneId,
+    },
+    /// A lane begins or ends far from its junction, so that movements jump.
+    Gap {
+        /// The junction.
+        junction: JunctionId,
+        /// The lane at the gap.
+        lane: LaneId,
+        /// The distance of its end from the middle of the junction, metres.
+        metres: f64,
+    },
+    /// A road's line begins or ends beside its junction, which is a single point.
+    Aside {
+        /// The road.
+        road: RoadId,
+        /// The junction.
+        junction: JunctionId,
+        /// The distance between them, metres.
+        metres: f64,
+    },
+    /// A road's line crosses itself.
+    Tangled {
+        /// The road.
+        road: RoadId,
+    },
+    /// Lanes of two roads on one level lie on each other for most of one of them.
+    Overlap {
+        /// The roads.
+        roads: [RoadId; 2],
+        /// For so long, metres.
+        metres: f64,
+    },
+    /// Two movements, or a movement and a crossing, meet, and the conflict table lacks them.
+    MissingConflict {
+        /// The junction.
+        junction: JunctionId,
+        /// Their positions in the table.
+        pair: (usize, usize),
+    },
+    /// Two that conflict have green together, and neither gives way.
+    UnsafePhase {
+        /// The signal.
+        signal: SignalId,
+        /// The phase, from zero.
+        phase: usize,
+        /// Their positions in the table.
+        pair: (usize, usize),
+    },
+    /// People who have begun to cross are not over when vehicles start that cross their way.
+    ShortClearance {
+        /// The signal.
+        signal: SignalId,
+        /// The phase after which people stop, from zero.
+        phase: usize,
+        /// The crossing.
+        crossing: CrossingId,
+        /// The time until vehicles start, seconds.
+        seconds: f64,
+    },
+    /// A movement or crossing never gets green.
+    NeverGreen {
+        /// The signal.
+        signal: SignalId,
+        /// Its position in the table.
+        row: usize,
+    },
+    /// No vehicle ever has to stop at a signal: it guards nothing.
+    NeverRed {
+        /// The signal.
+        signal: SignalId,
+    },
+    /// A part of the walkable network is cut off from its main part.
+    WalkCutOff {
+        /// A node of the part.
+        node: WalkNodeId,
+        /// The number of nodes in the part.
+        nodes: usize,
+        /// The length of its edges, metres.
+        metres: f64,
+    },
+    /// A pavement or corner leads over a lane for cars where there is no crossing.
+    WalkInLane {
+        /// The edge of the walkable network.
+        edge: WalkEdgeId,
+        /// The lane.
+        lane: LaneId,
+    },
+    /// An edge of the walkable network does not begin and end where its nodes are.
+    WalkGap {
+        /// The edge.
+        edge: WalkEdgeId,
+        /// The distance, metres.
+        metres: f64,
+    },
+    /// A crossing lies beside a road that it is to cross.
+    CrossesNothing {
+        /// The crossing.
+        crossing: CrossingId,
+        /// The road.
+        road: RoadId,
+    },
+    /// An arm with pavements of a junction with lights has no crossing.
+    NoCrossing {
+        /// The junction.
+        junction: JunctionId,
+        /// The road.
+        road: RoadId,
+    },
+    /// A crossing at a junction with lights has none by its kind, or it has and the junction has none.
+    Unlit {
+        /// The crossing.
+        crossing: CrossingId,
+    },
+    /// The outline of a building crosses itself, or encloses nothing.
+    Outline {
+        /// The building.
+        building: BuildingId,
+    },
+    /// A building stands on lanes for cars.
+    OnStreet {
+        /// The building.
+        building: BuildingId,
+        /// The road.
+        road: RoadId,
+        /// So many metres of one of its lanes.
+        metres: f64,
+    },
+    /// A door is far from the walls of its building.
+    DoorAway {
+        /// The door.
+        entrance: EntranceId,
+        /// The distance, metres.
+        metres: f64,
+    },
+    /// Nobody can walk to a door.
+    DoorWithoutWay {
+        /// The door.
+        entrance: EntranceId,
+    },
+    /// A door opens onto a lane for cars.
+    DoorInLane {
+        /// The door.
+        entrance: EntranceId,
+        /// The lane.
+        lane: LaneId,
+    },
+}
+
+impl MapViolation {
+    /// Its kind in words, for lists of how many there are of each.
+    pub fn kind(&self) -> &'static str {
+        match self {
+            Self::CutOff { .. } => "streets cut off",
+            Self::DeadLane { .. } => "lane without a way on",
+            Self::Gap { .. } => "lane far from its junction",
+            Self::Aside { .. } => "road beside its junction",
+            Self::Tangled { .. } => "road crosses itself",
+            Self::Overlap { .. } => "streets on each other",
+            Self::MissingConflict { .. } => "conflict missing",
+            Self::UnsafePhase { .. } => "unsafe phase",
+            Self::ShortClearance { .. } => "clearance too short",
+            Self::NeverGreen { .. } => "never green",
+            Self::NeverRed { .. } => "never red",
+            Self::WalkCutOff { .. } => "pavements cut off",
+            Self::WalkInLane { .. } => "pavement in a lane",
+            Self::WalkGap { .. } => "pavement away from its nodes",
+            Self::CrossesNothing { .. } => "crossing beside its road",
+            Self::NoCrossing { .. } => "no crossing at lights",
+            Self::Unlit { .. } => "crossing and junction differ in lights",
+            Self::Outline { .. } => "outline crosses itself",
+            Self::OnStreet { .. } => "building on a street",
+            Self::DoorAway { .. } => "door away from its building",
+            Self::DoorWithoutWay { .. } => "door without a way",
+            Self::DoorInLane { .. } => "door in a lane",
+        }
+    }
+
+    /// Its place on the map, metres; `None` if it is of another map.
+    pub fn place(&self, map: &StreetMap) -> Option<Point> {
+        let lane = |id: &LaneId| map.lane(*id).map(|lane| lane.line.end());
+        let junction = |id: &JunctionId| map.junction(*id).map(|junction| junction.at);
+        let road = |id: &RoadId| map.road(*id).map(|road| road.line.at(road.line.length() / 2.0));
+        let walk = |id: &WalkEdgeId| map.walk_edge(*id).map(|edge| edge.line.start());
+        let door = |id: &EntranceId| map.entrance(*id).map(|entrance| entrance.door);
+        let building = |id: &BuildingId| map.building(*id).and_then(|b| b.outline.first()).map(|at| Point::from(*at));
+        match self {
+            Self::CutOff { lane: id, .. } | Self::DeadLane { lane: id } | Self::Gap { lane: id, .. } => lane(id),
+            Self::Tangled { road: id } | Self::Overlap { roads: [id, _], .. } => road(id),
+            Self::Aside { junction: id, .. }
+            | Self::MissingConflict { junction: id, .. }
+            | Self::NoCrossing { junction: id, .. } => junction(id),
+            Self::UnsafePhase { signal, .. } | Self::NeverGreen { signal, .. } | Self::NeverRed { signal } => {
+                map.signal(*signal).and_then(|signal| junction(&signal.junction))
+            }
+            Self::WalkCutOff { node, .. } => map.walk_node(*node).map(|node| node.at),
+            Self::WalkInLane { edge, .. } | Self::WalkGap { edge, .. } => walk(edge),
+            Self::Outline { building: id } | Self::OnStreet { building: id, .. } => building(id),
+            Self::DoorAway { entrance, .. } | Self::DoorWithoutWay { entrance } | Self::DoorInLane { entrance, .. } => {
+                door(entrance)
+            }
+            Self::Unlit { crossing }
+            | Self::ShortClearance { crossing, .. }
+            | Self::CrossesNothing { crossing, .. } => map.crossing(*crossing).map(|crossing| crossing.line.start()),
+        }
+    }
+}
+
+impl fmt::Display for MapViolation {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::CutOff { lane, lanes } => {
+                write!(f, "{lane} and {} more are cut off from the main streets", lanes - 1)
+            }
+            Self::DeadLane { lane } => write!(f, "{lane} ends, and nothing goes on"),
+            Self::Gap { junction, lane, metres } => {
+                write!(f, "{lane} ends {metres:.0} m from the middle of {junction}")
+            }
+            Self::Aside { road, junction, metres } => {
+                write!(f, "the line of {road} begins or ends {metres:.0} m beside {junction}")
+            }
+            Self::Tangled { road } => write!(f, "the line of {road} crosses itself"),
+            Self::Overlap { roads: [one, other], metres } => {
+                write!(f, "{one} and {other} lie on each other for {metres:.0} m, on one level")
+            }
+            Self::MissingConflict { junction, pair } => {
+                write!(f, "{} and {} of {junction} meet, and its table lacks them", pair.0, pair.1)
+            }
+            Self::UnsafePhase { signal, phase, pair } => {
+                write!(f, "phase {phase} of {signal} lets {} and {} go, which conflict", pair.0, pair.1)
+            }
+            Self::ShortClearance { signal, phase, crossing, seconds } => {
+                write!(f, "people on {crossing} have {seconds:.1} s to end after phase {phase} of {signal}, too few")
+            }
+            Self::NeverGreen { signal, row } => write!(f, "{row} of {signal} never gets green"),
+            Self::NeverRed { signal } => write!(f, "no vehicle ever stops at {signal}: it guards nothing"),
+            Self::WalkInLane { edge, lane } => write!(f, "{edge} leads over {lane} without a crossing"),
+            Self::WalkGap { edge, metres } => write!(f, "{edge} begins or ends {metres:.1} m from its nodes"),
+            Self::CrossesNothing { crossing, road } => write!(f, "{crossing} lies beside {road}, which it is to cross"),
+            Self::WalkCutOff { node, nodes, metres } => {
+                write!(f, "{node} and {} more, {metres:.0} m, are cut off from the pavements", nodes - 1)
+            }
+            Self::NoCrossing { junction, road } => write!(f, "{junction} has lights and no crossing over {road}"),
+            Self::Unlit { crossing } => {
+                write!(f, "either {crossing} or its junction has no lights, and the other does")
+            }
+            Self::Outline { building } => write!(f, "the outline of {building} crosses itself, or encloses nothing"),
+            Self::OnStreet { building, road, metres } => {
+                write!(f, "{building} stands on {road} for {metres:.0} m")
+            }
+            Self::DoorAway { entrance, metres } => {
+                write!(f, "{entrance} is {metres:.0} m from the walls of its building")
+            }
+            Self::DoorWithoutWay { entrance } => write!(f, "no pavement or path lies within 200 m of {entrance}"),
+            Self::DoorInLane { entrance, lane } => write!(f, "{entrance} opens onto {lane}"),
+        }
+    }
+}

@@ -1,0 +1,89 @@
+//! Pavements that are mapped as ways of their own, and crossings between them.
+
+use vc_map::osm::{Element, Guessed, Reason};
+use vc_map::route::{Mode, Router};
+use vc_map::{CrossingKind, Light, StripKind, Users};
+
+use crate::osm::file;
+use crate::town::import;
+
+const STREET: &str = "highway=secondary sidewalk=separate";
+
+/// A street along X with a crossing in its middle, and pavements so many metres to its north and south.
+fn street(crossing: &str, pavements: &[f64]) -> (vc_map::StreetMap, vc_map::osm::ImportReport) {
+    let mut nodes = vec![(1, -1.0, 0.0, ""), (2, 0.0, 0.0, crossing), (3, 1.0, 0.0, "")];
+    let mut ways: Vec<(i64, [i64; 2])> = Vec::new();
+    for (number, metres) in (0..).zip(pavements) {
+        let id = 10 + 2 * number;
+        nodes.extend([(id, -1.0, metres / 100.0, ""), (id + 1, 1.0, metres / 100.0, "")]);
+        ways.push((20 + number, [id, id + 1]));
+    }
+    let mut all: Vec<(i64, &[i64], &str)> = vec![(9, &[1, 2, 3], STREET)];
+    all.extend(ways.iter().map(|(id, refs)| (*id, refs.as_slice(), "highway=footway footway=sidewalk")));
+    import(&file(&nodes, &all, ""))
+}
+
+#[test]
+fn lights_for_people_stop_traffic_where_pavements_are_mapped_apart() {
+    for apart in [[8.0, -8.0], [17.0, -14.0]] {
+        let (map, report) = street("highway=crossing crossing=traffic_signals", &apart);
+        let [crossing] = map.crossings() else { panic!("{:?}", map.crossings()) };
+        assert_eq!(crossing.kind, CrossingKind::Signals);
+        assert!(report.guessed.contains(&(Element::Node(2), Guessed::Links(2))));
+        let [signal] = map.signals() else { panic!("{:?}", map.signals()) };
+        let red = |phase: &vc_map::Phase| phase.lights[0] == Light::Red && phase.lights.last() == Some(&Light::Green);
+        assert!(signal.phases.iter().any(red));
+        assert_eq!(map.validate().iter().filter(|v| v.kind() != "streets cut off").count(), 0, "{:?}", map.validate());
+        // From one pavement to the other over the crossing.
+        let far = [40.0, -40.0].map(|y| vc_map::Point::new(-50.0, y));
+        let walk = Router::new(&map, Mode::Foot).route(&far[0], &far[1]).unwrap();
+        assert!((walk.metres - (100.0 + apart[0] - apart[1])).abs() < 3.0, "{}", walk.metres);
+    }
+}
+
+#[test]
+fn a_crossing_that_nobody_comes_to_is_told_and_stops_nobody() {
+    for pavements in [&[8.0][..], &[8.0, -60.0]] {
+        // A pavement is mapped on one side, and on the other nothing but that there is none.
+        let (map, report) = street("highway=crossing crossing=traffic_signals", pavements);
+        let paved =
+            map.roads().iter().flat_map(|road| road.draft.section.strips()).any(|(_, s)| s.kind == StripKind::Pavement);
+        assert!(paved, "where a pavement is said to be mapped apart and is not, it is guessed");
+        assert_eq!((map.signals().len(), map.crossings().len()), (1, 1), "{report}");
+    }
+    let nodes = [(1, -1.0, 0.0, ""), (2, 0.0, 0.0, "highway=crossing crossing=traffic_signals"), (3, 1.0, 0.0, "")];
+    let (map, report) = import(&file(&nodes, &[(9, &[1, 2, 3], "highway=secondary sidewalk=left")], ""));
+    assert_eq!((map.signals().len(), map.crossings().len()), (0, 0));
+    assert!(report.dropped.contains(&(Element::Node(2), Reason::NobodyCrosses)));
+}
+
+#[test]
+fn a_pavement_that_is_said_to_be_mapped_apart_and_is_not_is_guessed() {
+    let pavements = |map: &vc_map::StreetMap| {
+        let strips = map.roads()[0].draft.section.strips();
+        strips.filter(|(_, strip)| strip.kind == StripKind::Pavement && strip.users == Users::FOOT).count()
+    };
+    for (apart, left) in [(&[][..], 2), (&[8.0], 1), (&[8.0, -8.0], 0)] {
+        let (map, report) = street("", apart);
+        assert_eq!(pavements(&map), left);
+        let told = report.guessed.iter().find(|(_, guessed)| matches!(guessed, Guessed::Pavements(_)));
+        assert_eq!(told, (left > 0).then_some(&(Element::Way(9), Guessed::Pavements(left as u32))));
+    }
+}
+
+#[test]
+fn rails_in_a_street_are_crossed_with_it() {
+    let nodes = [(1, -1.0, 0.0, ""), (2, 0.0, 0.0, ""), (3, 1.0, 0.0, ""), (4, 0.0, 1.0, ""), (5, 0.0, -1.0, "")];
+    let rails = [(6, -1.0, 0.01, ""), (8, 1.0, 0.01, "")];
+    let nodes: Vec<_> = nodes.into_iter().chain(rails).collect();
+    let ways: [(i64, &[i64], &str); 3] = [
+        (20, &[1, 2, 3], "highway=residential"),
+        (21, &[4, 2, 5], "highway=residential"),
+        (22, &[6, 2, 8], "railway=tram"),
+    ];
+    let (map, _) = import(&file(&nodes, &ways, ""));
+    let tram = |id: &vc_map::RoadId| map.road(*id).unwrap().draft.class.is_rail();
+    let over: Vec<_> = map.crossings().iter().filter(|crossing| crossing.roads.iter().any(tram)).collect();
+    assert_eq!(over.len(), 2);
+    assert!(over.iter().all(|crossing| crossing.roads.len() == 2 && crossing.line.length() > 5.0), "{over:?}");
+}
