@@ -28,6 +28,9 @@ use vc_map::{Control, CrossSection, DrivingSide, MapDraft, RoadClass, StreetMap,
 /// The map that is read without a file.
 const OWN: &str = include_str!("../../vc-map/data/riverside.osm");
 
+/// A packed file may unpack to this many times its size. Maps take ten to fifteen.
+const UNPACKED: usize = 40;
+
 #[derive(Parser)]
 #[command(about = "Reads a map, draws it, and writes it in all other forms")]
 struct Arguments {
@@ -39,15 +42,31 @@ struct Arguments {
     /// The side on which vehicles drive, instead of guessing: left or right.
     #[arg(long, value_parser = ["left", "right"])]
     side: Option<String>,
-    /// Pixels for a metre.
-    #[arg(long, default_value_t = 2.0)]
+    /// Pixels for a metre, up to 100.
+    #[arg(long, default_value_t = 2.0, value_parser = scale)]
     scale: f64,
     /// Instead of a file, a grid of so many by so many junctions with lights, 110 m apart: 36 make 15 square kilometres.
     #[arg(long)]
     grid: Option<u32>,
     /// Only this part is drawn: west, south, east, north, metres from the middle.
-    #[arg(long, value_delimiter = ',', allow_hyphen_values = true)]
-    part: Vec<f64>,
+    #[arg(long, allow_hyphen_values = true, value_parser = part)]
+    part: Option<[f64; 4]>,
+}
+
+/// A number of pixels for a metre.
+fn scale(text: &str) -> Result<f64, String> {
+    let value = text.parse::<f64>().ok().filter(|value| *value > 0.0 && *value <= 100.0);
+    value.ok_or_else(|| "give pixels for a metre, more than 0 and at most 100".to_owned())
+}
+
+/// The edges of a part of a map.
+fn part(text: &str) -> Result<[f64; 4], String> {
+    let edges: Result<Vec<f64>, _> = text.split(',').map(|number| number.trim().parse()).collect();
+    let edges = edges.ok().and_then(|edges| <[f64; 4]>::try_from(edges).ok());
+    let fits = |[west, south, east, north]: &[f64; 4]| {
+        [west, south, east, north].iter().all(|e| e.is_finite()) && west < east && south < north
+    };
+    edges.filter(fits).ok_or_else(|| "give west, south, east and north in metres, as -100,-50,100,50".to_owned())
 }
 
 fn main() -> Result<(), Complaint> {
@@ -77,10 +96,12 @@ fn text(file: Option<&Path>) -> Result<(String, Vec<u8>), Complaint> {
     let name = name.split('.').next().unwrap_or("map").to_owned();
     if packed.starts_with(&[0x1f, 0x8b]) {
         let mut plain = Vec::new();
-        // A file that unpacks to more than a reader takes is not unpacked further.
-        flate2::read::MultiGzDecoder::new(packed.as_slice())
-            .take(vc_map::osm::LARGEST as u64 + 1)
-            .read_to_end(&mut plain)?;
+        let most = (packed.len() * UNPACKED).max(1 << 20).min(vc_map::osm::LARGEST);
+        flate2::read::MultiGzDecoder::new(packed.as_slice()).take(most as u64 + 1).read_to_end(&mut plain)?;
+        if plain.len() > most {
+            let why = format!("unpacks to more than {most} bytes, as no map does: unpack it yourself if it is one");
+            return Err(Complaint::new(format_args!("{}: {why}", path.display())));
+        }
         return Ok((name, plain));
     }
     Ok((name, packed))
@@ -180,9 +201,9 @@ fn routes(map: &StreetMap) {
 }
 
 fn write(map: &StreetMap, account: &str, folder: &Path, name: &str, arguments: &Arguments) -> Result<(), Complaint> {
-    let drawing = match arguments.part.as_slice() {
-        [west, south, east, north] => Drawing::within(map, [[*west, *south].into(), [*east, *north].into()]),
-        _ => Drawing::of(map),
+    let drawing = match arguments.part {
+        Some([west, south, east, north]) => Drawing::within(map, [[west, south].into(), [east, north].into()]),
+        None => Drawing::of(map),
     };
     let put = |end: &str, text: &str| std::fs::write(folder.join(format!("{name}.{end}")), text);
     put("svg", &drawing.svg(arguments.scale))?;

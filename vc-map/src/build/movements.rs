@@ -84,12 +84,18 @@ impl Crossroads<'_> {
                     }
                 }
                 if found.len() > MOST {
-                    let (part, count) = (self.id.to_string(), found.len());
+                    let (part, count) = (self.name(), found.len());
                     return Err(MapError::TooMany { part, what: "movements", count, most: MOST });
                 }
             }
         }
         Ok(found)
+    }
+
+    /// The junction with the nodes that it was made from.
+    fn name(&self) -> String {
+        let nodes: Vec<String> = self.junction.draft.source.iter().take(8).map(i64::to_string).collect();
+        if nodes.is_empty() { self.id.to_string() } else { format!("{} (of nodes {})", self.id, nodes.join(", ")) }
     }
 
     /// Whether a movement takes some users from a lane to the road of another already; lanes of their own are always joined.

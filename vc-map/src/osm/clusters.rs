@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use petgraph::unionfind::UnionFind;
 
 use super::network::{Network, Piece};
-use crate::{CrossingKind, RoadClass};
+use crate::{CrossingKind, RoadClass, Users};
 
 /// Junctions nearer than this are one, metres; SUMO joins those within 10 m.
 pub(super) const NEAR: f64 = 12.0;
@@ -15,6 +15,8 @@ const SAME: f64 = 0.1;
 const DUAL: f64 = 24.0;
 /// A crossing belongs to the junction that is nearer than this, metres.
 pub(super) const CROSSING: f64 = 20.0;
+/// Nodes that together would have more movements than this are junctions each: one has 512 at most, and bicycles have their own.
+const MOST: usize = 400;
 /// No cluster is wider, metres.
 const WIDEST: f64 = 48.0;
 
@@ -71,7 +73,41 @@ pub(super) fn clusters(network: &Network<'_>, apart: &BTreeSet<u32>) -> Clusters
         clusters.of.insert(*node, head);
         clusters.members.entry(head).or_default().push(*node);
     }
+    clusters.split(network);
     clusters
+}
+
+impl Clusters {
+    /// Parts clusters into their nodes that would be junctions of more movements than one has.
+    fn split(&mut self, network: &Network<'_>) {
+        let large = |(head, nodes): (&u32, &Vec<u32>)| {
+            (nodes.len() > 1 && self.movements(network, nodes) > MOST).then_some(*head)
+        };
+        let large: Vec<u32> = self.members.iter().filter_map(large).collect();
+        for head in large {
+            for node in self.members.remove(&head).into_iter().flatten() {
+                self.of.insert(node, node);
+                self.members.insert(node, vec![node]);
+            }
+        }
+    }
+
+    /// About how many movements a junction of some nodes has: those from each lane that comes to each street that leaves.
+    fn movements(&self, network: &Network<'_>, nodes: &[u32]) -> usize {
+        let (mut comes, mut leaves) = (0, 0);
+        for node in nodes {
+            let away = |(_, piece): &(usize, &Piece)| self.of(piece.first()) != self.of(piece.last());
+            for (_, piece) in network.streets_at(*node).filter(away) {
+                let section = &network.street(piece).section;
+                // Along a piece one comes to its last node.
+                let towards = piece.last() == *node;
+                let lanes = section.side(towards).iter().filter(|strip| strip.users.any(Users::TRAFFIC));
+                comes += lanes.count();
+                leaves += usize::from(section.users(!towards).any(Users::TRAFFIC));
+            }
+        }
+        comes * leaves
+    }
 }
 
 /// The number of pieces of street, tracks aside, that meet at a node.

@@ -11,6 +11,8 @@ use crate::polyline::{area, inside};
 
 /// Rings of a smaller area are none, square metres.
 const SMALLEST: f64 = 0.5;
+/// A hole is looked for in so many outer rings whose boxes are around it.
+const MOST: usize = 64;
 
 /// An area with holes: its outer ring counter-clockwise, holes clockwise.
 pub(super) struct Surface {
@@ -69,11 +71,12 @@ impl Source<'_> {
         for hole in holes {
             let at = hole.outline[0];
             let mut around: Option<u32> = None;
+            // Areas do not overlap, so that the first is the only one, and few of their boxes lie on each other.
+            let mut tried = 0;
             index.around(&at, 0.0, |area| {
-                if around.is_none_or(|known| area < known) && inside(&found.areas[area as usize].outline, &at) {
-                    around = Some(area);
-                }
-                f64::INFINITY
+                tried += 1;
+                around = inside(&found.areas[area as usize].outline, &at).then_some(area);
+                if around.is_some() || tried == MOST { f64::NEG_INFINITY } else { f64::INFINITY }
             });
             match (around, turned(hole.outline, false)) {
                 (Some(area), Some(ring)) => found.areas[area as usize].holes.push(ring),

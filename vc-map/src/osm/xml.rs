@@ -75,7 +75,13 @@ impl<'a> XmlReader<'a> {
     }
 
     fn event(&mut self) -> Result<Event<'a>, OsmError> {
-        self.xml.read_event().map_err(|error| OsmError::Xml { line: self.line(), why: error.to_string() })
+        self.xml.read_event().map_err(|error| {
+            let why = match error {
+                quick_xml::Error::Encoding(_) => "the text is not UTF-8: convert it, for example with iconv".to_owned(),
+                other => other.to_string(),
+            };
+            OsmError::Xml { line: self.line(), why }
+        })
     }
 
     /// Goes on to the root, which has to be `<osm>`.

@@ -6,9 +6,12 @@ use super::legend::{
 };
 use super::{Colour, Drawing, Paint, Shape, marks};
 use crate::parts::{Lane, Movement, Road};
-use crate::{AreaKind, LaneId, Point, RoadClass, RoadDraft, RoadId, StreetMap, StripKind, Structure, Users, WalkKind};
+use crate::{
+    AreaKind, LaneId, Point, RoadClass, RoadDraft, RoadId, StreetMap, StripKind, Structure, Users, WalkEdgeId,
+    WalkKind, WalkNodeId,
+};
 
-/// The width at which the corners of pavements are drawn, metres.
+/// The width at which corners are drawn where nothing tells that of what they join, metres.
 const CORNER: f64 = 2.0;
 
 pub(super) fn draw(map: &StreetMap, drawing: &mut Drawing) {
@@ -46,9 +49,23 @@ fn corners(map: &StreetMap, drawing: &mut Drawing, on: impl Fn(i8) -> bool) {
         let roads: Vec<&RoadDraft> = arms.filter_map(|arm| map.road(arm.road)).map(|road| &road.draft).collect();
         if roads.iter().map(|road| road.layer).max().is_some_and(&on) {
             let street = roads.iter().any(|road| road.class.is_street());
-            drawing.line(if street { PAVEMENT } else { PATH }, CORNER, edge.line.points());
+            let width = edge.ends.iter().filter_map(|node| width(map, *node)).reduce(f64::min);
+            drawing.line(if street { PAVEMENT } else { PATH }, width.unwrap_or(CORNER), edge.line.points());
         }
     }
+}
+
+/// The width of the pavement or path that ends at a node, metres.
+fn width(map: &StreetMap, node: WalkNodeId) -> Option<f64> {
+    let lane = |id: &WalkEdgeId| match map.walk_edge(*id)?.kind {
+        WalkKind::Lane(lane) => map.road(map.lane(lane)?.road),
+        _ => None,
+    };
+    let road = map.walk_edges_at(node).iter().find_map(lane)?;
+    let walked = road.draft.section.strips().filter(|(_, strip)| strip.users.has(Users::FOOT));
+    // Both directions of a path are one strip; each pavement is its own.
+    let widths = walked.map(|(_, strip)| strip.width);
+    Some(if road.draft.class.is_street() { widths.fold(CORNER, f64::min) } else { widths.sum() })
 }
 
 fn ring(points: &[[f64; 2]]) -> Vec<Point> {

@@ -1,5 +1,7 @@
 //! Lines on roads, crossings, signals, names.
 
+use std::collections::BTreeSet;
+
 use super::legend::{MARK, SIGNAL};
 use super::{Drawing, Text, layers::square};
 use crate::polyline::normal;
@@ -8,6 +10,9 @@ use crate::{CrossingKind, LaneId, StreetMap, StripKind, Users};
 /// The width of lines and the lengths of dashes and gaps, metres, as German rules for towns have them (RMS-1).
 const LINE: f64 = 0.15;
 const DASH: [f64; 2] = [2.0, 4.0];
+/// Names on carriageways, and on what is light.
+const LIGHT: [u8; 3] = [250, 250, 245];
+const DARK: [u8; 3] = [20, 20, 24];
 /// Bars of zebras and the gaps between them, metres.
 const ZEBRA: [f64; 2] = [0.5, 0.5];
 
@@ -57,8 +62,9 @@ pub(super) fn signals(map: &StreetMap, drawing: &mut Drawing) {
     }
 }
 
-/// The name of each street along its longest road.
+/// The name of each street along its longest road, unless it would lie on another.
 pub(super) fn names(map: &StreetMap, drawing: &mut Drawing) {
+    let mut taken: BTreeSet<[i64; 2]> = BTreeSet::new();
     for (name, road) in map.named().into_iter().filter(|(_, road)| road.line.length() > 25.0) {
         let middle = road.line.length() / 2.0;
         let along = road.line.direction(middle);
@@ -67,6 +73,18 @@ pub(super) fn names(map: &StreetMap, drawing: &mut Drawing) {
         let size = 3.2;
         // The base line lies a little below the middle of the road.
         let at = road.line.at(middle) - normal(along) * (0.35 * size);
-        drawing.texts.push(Text { at, heading, size, colour: [20, 20, 24], text: name.to_owned() });
+        let half = name.chars().count() as f64 * size / 2.0;
+        let steps = (2.0 * half / size).ceil() as i64;
+        let cell = |step: i64| {
+            let point = at + along * (step as f64 * size - half);
+            [point.x, point.y].map(|value| (value / size).floor() as i64)
+        };
+        let cells: BTreeSet<[i64; 2]> = (0..=steps).map(cell).collect();
+        if cells.is_disjoint(&taken) {
+            taken.extend(cells);
+            let dark = road.draft.class.is_street() && road.draft.section.surface() > size;
+            let colour = if dark { LIGHT } else { DARK };
+            drawing.texts.push(Text { at, heading, size, colour, text: name.to_owned() });
+        }
     }
 }
