@@ -5,7 +5,8 @@
 //! | lanes | two a direction on motorways, trunk and primary roads, else one; as SUMO's map of types has it |
 //! | width of a lane | 3.5 m on motorways and trunk roads, 3.25 m to secondary, 3 m on tertiary roads, 2.75 m on minor and residential ones, 2.5 m on drives; 3.5 m for a single lane of a one-way street |
 //! | limit | 100, 70, 50 km/h on motorways, trunk roads and streets, 30 km/h on residential ones, 7 and 15 km/h in living streets and drives |
-//! | pavements | on both sides of primary to residential streets, where no footway accompanies them: 4, 3 or 2.4 m wide |
+//! | pavements | on both sides of primary to residential streets, where no footway accompanies them: 4, 3 or 2.4 m wide; so also where they are said to be mapped apart and are not |
+//! | ways to a crossing | a path to the nearest footway within 25 m, on each side without a pavement; a crossing that has none stays away |
 //! | paths | 2 m wide, streets for people on foot 5 m |
 //! | buildings | three storeys of 3.1 m; a door on the wall nearest to a way |
 //! | direction of a sign | for those who come to the nearest junction, within 60 m |
@@ -31,6 +32,7 @@ mod beside;
 mod block;
 mod clusters;
 mod data;
+mod doors;
 mod emit;
 mod error;
 mod lanes;

@@ -21,7 +21,7 @@ pub(super) fn violations(map: &StreetMap) -> Vec<MapViolation> {
         for (junction, point) in [(road.draft.from, road.line.start()), (road.draft.to, road.line.end())] {
             let Some(place) = map.junction(junction) else { continue };
             let metres = (place.at - point).norm();
-            // Of several nodes that are one junction each road begins at its own.
+            // Where several nodes are one junction each road begins at its own.
             if place.draft.source.len() <= 1 && metres > AT {
                 found.push(MapViolation::Aside { road: id, junction, metres });
             }
