@@ -60,7 +60,7 @@ impl PhysicsWorld {
     fn set_going(&mut self, id: NodeId) -> Result<(), PhysicsError> {
         self.stopped.retain(|other| *other != id);
         let bodies: Vec<_> = self.thing(id)?.bodies().collect();
-        bodies.into_iter().for_each(|body| self.engine.enable(body));
+        bodies.into_iter().for_each(|body| self.engine.set_enabled(body, true));
         self.set_role(id, BodyRole::Loose)
     }
 

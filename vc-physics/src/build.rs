@@ -74,6 +74,7 @@ impl PhysicsWorld {
             ticks: 0,
             stopped: Vec::new(),
             skipped: Vec::new(),
+            bars: Vec::new(),
         }
     }
 

@@ -64,9 +64,18 @@ pub(crate) fn is_solid(collider: &Collider) -> bool {
     !collider.collision_groups().memberships.intersects(CARRIED.union(HAND))
 }
 
+/// The links in the marks of bodies that are no things of their world: they stand around it, some of them at times only.
+pub(crate) const AROUND: usize = u32::MAX as usize;
+pub(crate) const BAR: usize = AROUND - 1;
+
 /// The mark of a node's part on its body and collider.
 pub(crate) fn mark(id: NodeId, link: usize) -> u128 {
     u128::from(id.0) | (link as u128) << 32
+}
+
+/// Whether a mark is that of a body which is no thing of its world.
+pub(crate) fn is_around(mark: u128) -> bool {
+    marked(mark).1 >= BAR
 }
 
 /// The node and the part that a mark denotes.

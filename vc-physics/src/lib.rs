@@ -4,6 +4,7 @@
 mod agent;
 mod body;
 mod build;
+mod cargo;
 mod cloth;
 mod contact;
 mod convert;
@@ -29,12 +30,14 @@ mod shapes;
 mod snapshot;
 mod state;
 mod step;
+mod surroundings;
 mod vehicle;
 mod view;
 mod water;
 mod world;
 
 pub use agent::{PartsToMoveAside, ShutDoors, Traveller, WalkState};
+pub use cargo::Cargo;
 pub use contact::Contact;
 pub use error::{AgentError, PhysicsError, RestError, SnapshotError};
 pub use joints::MovingPart;

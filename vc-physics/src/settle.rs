@@ -173,6 +173,7 @@ impl PhysicsWorld {
             boxes.extend(fixed.reduce(|a, b| Aabb { min: a.min.inf(&b.min), max: a.max.sup(&b.max) }));
             boxes.iter_mut().for_each(|b| b.max.z = f32::INFINITY);
         }
+        boxes.extend(self.around());
         boxes
     }
 

@@ -113,8 +113,10 @@ impl PhysicsWorld {
             ticks: content.ticks,
             stopped: content.stopped,
             skipped: content.skipped,
+            bars: Vec::new(),
         };
         world.find_bottom();
+        world.find_bars();
         Ok(world)
     }
 

@@ -21,6 +21,17 @@ const FREE: [Relation; 9] = [
 ];
 
 impl Relations {
+    /// Whether a relation is read from geometry anew each time, beside supports and rooms: near, under, facing ...
+    ///
+    /// ```
+    /// use vc_graph::Relation;
+    /// use vc_relations::Relations;
+    /// assert!(Relations::reads(Relation::Near) && !Relations::reads(Relation::On));
+    /// ```
+    pub fn reads(relation: Relation) -> bool {
+        FREE.contains(&relation)
+    }
+
     /// Writes the relations that start at some nodes into the graph, in place of its present ones; holding and
     /// wearing stay. Pass the nodes that [`Self::update`] returned, or all nodes. A thing without any known
     /// support keeps its place.

@@ -278,14 +278,14 @@ impl Engine {
         self.early.take();
     }
 
-    /// Enables a body that the engine has disabled because it became non-finite.
-    pub(crate) fn enable(&mut self, body: RigidBodyHandle) {
-        let Some(rigid) = self.body_mut(body).filter(|b| !b.is_enabled()) else { return };
-        rigid.set_enabled(true);
+    /// Enables a body that the engine has disabled because it became non-finite, or lets one take part no longer.
+    pub(crate) fn set_enabled(&mut self, body: RigidBodyHandle, enabled: bool) {
+        let Some(rigid) = self.body_mut(body).filter(|b| b.is_enabled() != enabled) else { return };
+        rigid.set_enabled(enabled);
         let colliders = rigid.colliders().to_vec();
         for collider in colliders {
             if let Some(collider) = self.colliders.get_mut(collider) {
-                collider.set_enabled(true);
+                collider.set_enabled(enabled);
             }
         }
     }

@@ -5,6 +5,7 @@ mod island;
 mod progress;
 mod recorded;
 mod sleep;
+mod written;
 
 use rapier3d::dynamics::RigidBodyHandle;
 use vc_graph::{NodeId, Pose};

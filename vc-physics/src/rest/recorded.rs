@@ -18,20 +18,20 @@ use crate::{BodyRole, RestError, group, joints};
 #[derive(Clone)]
 pub struct RestRecord {
     /// Sorted by node.
-    things: Vec<RecordedThing>,
-    removed: Vec<NodeId>,
-    agents: Box<[(NodeId, Agent)]>,
-    waters: Waters,
-    ticks: u64,
-    stopped: Vec<NodeId>,
-    skipped: Vec<NodeId>,
+    pub(super) things: Vec<RecordedThing>,
+    pub(super) removed: Vec<NodeId>,
+    pub(super) agents: Box<[(NodeId, Agent)]>,
+    pub(super) waters: Waters,
+    pub(super) ticks: u64,
+    pub(super) stopped: Vec<NodeId>,
+    pub(super) skipped: Vec<NodeId>,
 }
 
 /// A thing that is not as it was at the start, and where its bodies are, its base first.
 #[derive(Clone)]
 pub(crate) struct RecordedThing {
     pub(crate) thing: Thing,
-    poses: Vec<EnginePose>,
+    pub(crate) poses: Vec<EnginePose>,
 }
 
 impl RecordedThing {

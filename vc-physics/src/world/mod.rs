@@ -5,6 +5,7 @@ mod read;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
+use rapier3d::dynamics::RigidBodyHandle;
 use vc_graph::{Aabb, NodeId, SceneGraph};
 
 use crate::engine::Engine;
@@ -36,6 +37,8 @@ pub struct PhysicsWorld {
     pub(crate) ticks: u64,
     pub(crate) stopped: Vec<NodeId>,
     pub(crate) skipped: Vec<NodeId>,
+    /// Boxes around the world that are in the way at times.
+    pub(crate) bars: Vec<(NodeId, RigidBodyHandle)>,
 }
 
 impl PhysicsWorld {

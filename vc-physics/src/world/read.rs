@@ -65,8 +65,9 @@ impl PhysicsWorld {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn moved(&self) -> Vec<NodeId> {
-        let mut nodes: Vec<NodeId> =
-            self.engine.moved().into_iter().map(|body| group::marked(body.user_data).0).collect();
+        let marks = self.engine.moved().into_iter().map(|body| body.user_data);
+        let own = marks.filter(|mark| !group::is_around(*mark));
+        let mut nodes: Vec<NodeId> = own.map(|mark| group::marked(mark).0).collect();
         nodes.sort_unstable();
         nodes.dedup();
         nodes
@@ -140,6 +141,27 @@ impl PhysicsWorld {
         let boxes = colliders.map(|c| c.compute_aabb());
         let joint = boxes.reduce(|a, b| rapier3d::parry::bounding_volume::BoundingVolume::merged(&a, &b))?;
         Some(Aabb { min: convert::point3(joint.mins), max: convert::point3(joint.maxs) })
+    }
+
+    /// The things of which a body is awake, by number.
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
+    /// world.settle(300);
+    /// world.wake(home.cup)?;
+    /// world.step();
+    /// assert_eq!(world.awake_things(), [home.cup]);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn awake_things(&self) -> Vec<NodeId> {
+        let awake = self.engine.awake_bodies().filter_map(|body| self.engine.bodies.get(body));
+        let moving = awake.filter(|body| body.is_dynamic() && !body.is_sleeping());
+        let mut things: Vec<NodeId> = moving.map(|body| group::marked(body.user_data).0).collect();
+        things.sort_unstable();
+        things.dedup();
+        things.retain(|id| self.index(*id).is_ok());
+        things
     }
 
     /// Number of bodies that are awake.
