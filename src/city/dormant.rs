@@ -15,7 +15,7 @@ use crate::{Environment, delta};
 /// A region that somebody has changed, while nobody is in it.
 #[derive(Clone)]
 pub(super) enum Dormant {
-    /// The difference from how it is made: some tens of kilobytes, where an environment has megabytes.
+    /// The difference from how it is made, where an environment has megabytes.
     Changes(Arc<Changes>),
     /// One that cannot be saved: all of it.
     Whole(Box<Environment>),
@@ -45,13 +45,24 @@ impl Reference {
 
     /// The difference of a region from how it is made.
     pub(super) fn changes(&self, environment: &Environment) -> Result<Changes, SaveError> {
-        let bytes = delta::between(&self.bytes, &environment.save()?);
-        Ok(Changes { bytes, reference: self.digest() })
+        Ok(self.differing(&environment.save()?))
+    }
+
+    /// The difference of a region at rest from how it is made: where things are, and nothing of the engine. One whose bodies
+    /// cannot be built anew is kept with its engine.
+    fn changes_at_rest(&self, environment: &Environment) -> Result<Changes, SaveError> {
+        let rest = environment.clone().to_rest();
+        rest.map_or_else(|_| self.changes(environment), |bytes| Ok(self.differing(&bytes)))
+    }
+
+    fn differing(&self, bytes: &[u8]) -> Changes {
+        Changes { bytes: delta::between(&self.bytes, bytes), reference: self.digest() }
     }
 
     /// The region with what differs in it.
     pub(super) fn restored(&self, changes: &[u8]) -> Result<Environment, SaveError> {
-        self.made.restore(&delta::applied(&self.bytes, changes).ok_or(SaveError::Damaged)?)
+        let bytes = delta::applied(&self.bytes, changes).ok_or(SaveError::Damaged)?;
+        if Environment::is_rest(&bytes) { self.made.from_rest(&bytes) } else { self.made.restore(&bytes) }
     }
 }
 
@@ -73,9 +84,27 @@ impl City {
         self.reference(region)?.changes(environment).map_err(|why| self.unsaved(region, why))
     }
 
+    /// The bytes that a region takes which somebody has changed and in which nobody is: about those of its changes; none
+    /// while it is there, and if nothing differs in it from how it was made.
+    ///
+    /// ```
+    /// use virtualcity::City;
+    /// let city = City::make("building/7", 1)?;
+    /// let regions = city.space().regions().map(|(region, _)| region);
+    /// assert_eq!(regions.filter_map(|region| city.bytes_asleep(region)).sum::<usize>(), 0, "nobody has gone anywhere");
+    /// # Ok::<(), virtualcity::CityError>(())
+    /// ```
+    pub fn bytes_asleep(&self, region: RegionId) -> Option<usize> {
+        match self.asleep.get(&region)? {
+            Dormant::Changes(changes) => Some(size_of::<Changes>() + changes.bytes.len()),
+            Dormant::Whole(whole) => whole.save().ok().map(|bytes| bytes.len()),
+        }
+    }
+
     /// A region that goes to sleep.
     pub(super) fn asleep(&self, region: RegionId, environment: Environment) -> Dormant {
-        match self.changes_of(region, &environment) {
+        let reference = self.reference(region).ok();
+        match reference.map_or(Err(SaveError::NotSaved), |reference| reference.changes_at_rest(&environment)) {
             Ok(changes) => Dormant::Changes(changes.into()),
             Err(_) => Dormant::Whole(Box::new(environment)),
         }

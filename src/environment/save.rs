@@ -31,8 +31,7 @@ impl Environment {
             0 => {}
             unread => return Err(SaveError::Unread(unread)),
         }
-        let line = |e: &Event| format!("{} {}\n", e.agent.0, e.action);
-        let history: String = self.history().events().iter().map(line).collect();
+        let history = self.written_history();
         let (shapes, scene, world) = (self.own_shapes(), without_shapes(&self.graph), self.world.save()?);
         let (clock, cameras) = (self.saved_clock()?, self.saved_cameras().unwrap_or_default());
         let head = [self.start.graph.digest().0, u64::from(self.graph.next_number())].map(u64::to_le_bytes).concat();
@@ -95,12 +94,22 @@ impl Environment {
         copy.poses = BTreeMap::new();
         copy.restore_clock(text(clock)?)?;
         copy.restore_cameras(Some(text(cameras)?).filter(|text| !text.is_empty()))?;
-        for line in text(history)?.lines() {
+        copy.read_history(text(history)?)?;
+        Ok(copy)
+    }
+
+    pub(super) fn written_history(&self) -> String {
+        let line = |e: &Event| format!("{} {}\n", e.agent.0, e.action);
+        self.history().events().iter().map(line).collect()
+    }
+
+    pub(super) fn read_history(&mut self, text: &str) -> Result<(), SaveError> {
+        for line in text.lines() {
             let (agent, action) = line.split_once(' ').ok_or(SaveError::NotSaved)?;
             let agent = NodeId(agent.parse().map_err(|_| SaveError::NotSaved)?);
-            copy.past.push(Event { agent, action: action.parse()? });
+            self.past.push(Event { agent, action: action.parse()? });
         }
-        Ok(copy)
+        Ok(())
     }
 
     /// The bytes of which saves of environments that were made like this one consist for the most part: its own save and all
@@ -112,12 +121,12 @@ impl Environment {
     }
 
     /// All shapes as text; nothing if they are those of the start.
-    fn own_shapes(&self) -> String {
+    pub(super) fn own_shapes(&self) -> String {
         let (own, first) = (self.graph.assets(), self.start.graph.assets());
         if Arc::ptr_eq(own, first) || own == first { String::new() } else { shapes_as_text(own) }
     }
 
-    fn read_shapes(&self, text: &str) -> Result<Arc<AssetLibrary>, SaveError> {
+    pub(super) fn read_shapes(&self, text: &str) -> Result<Arc<AssetLibrary>, SaveError> {
         if text.is_empty() {
             return Ok(self.start.graph.assets().clone());
         }
@@ -149,11 +158,11 @@ fn without_shapes(graph: &SceneGraph) -> String {
 
 #[cfg(feature = "render")]
 impl Environment {
-    fn saved_cameras(&self) -> Option<String> {
+    pub(super) fn saved_cameras(&self) -> Option<String> {
         self.cameras.saved()
     }
 
-    fn restore_cameras(&mut self, saved: Option<&str>) -> Result<(), SaveError> {
+    pub(super) fn restore_cameras(&mut self, saved: Option<&str>) -> Result<(), SaveError> {
         let cameras = saved.map(super::pictures::Cameras::restored).transpose()?;
         self.cameras = std::sync::Arc::new(cameras.unwrap_or_default());
         Ok(())
@@ -163,12 +172,12 @@ impl Environment {
 /// Without pictures there are no cameras, and those of a file are passed over.
 #[cfg(not(feature = "render"))]
 impl Environment {
-    fn saved_cameras(&self) -> Option<String> {
+    pub(super) fn saved_cameras(&self) -> Option<String> {
         None
     }
 
     #[allow(clippy::unnecessary_wraps, reason = "with pictures it may fail")]
-    fn restore_cameras(&mut self, _: Option<&str>) -> Result<(), SaveError> {
+    pub(super) fn restore_cameras(&mut self, _: Option<&str>) -> Result<(), SaveError> {
         Ok(())
     }
 }

@@ -1,5 +1,6 @@
 //! Environments at rest as what differs from their start: light enough to keep a hundred thousand of them.
 
+mod bytes;
 mod error;
 mod past;
 mod scene;
@@ -132,7 +133,7 @@ impl Environment {
             let (_, poses) = observe::write_poses(&mut self.graph, &self.world)?;
             self.clock.note(poses);
         }
-        let (relations, floor) = read(&self.start, &mut self.world, self.clock.as_read(&self.graph))?;
+        let (relations, floor, _) = read(&self.start, &mut self.world, self.clock.as_read(&self.graph))?;
         (self.relations, self.floor) = (relations.into(), floor.into());
         let scene = SceneDifference::between(&self.start.graph, &self.graph);
         let again = scene.applied_to(&self.start.graph)?;

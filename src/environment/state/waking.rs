@@ -115,7 +115,7 @@ impl Sleeper {
         let (start, saved) = (&self.state.0.start, &self.state.0);
         let named = |error: vc_physics::RestError| error.named(&|id| self.graph.label(id));
         let mut world = start.world.recorded(&saved.record).map_err(named)?;
-        let (relations, floor) = read(start, &mut world, saved.clock.as_read(&self.graph))?;
+        let (relations, floor, _) = read(start, &mut world, saved.clock.as_read(&self.graph))?;
         Ok(Awake { world, relations, floor })
     }
 }
@@ -126,17 +126,18 @@ impl Awake {
     }
 }
 
-/// Reads relations and floor of a world that has just been built from its record, in a scene as relations see it.
+/// Reads relations and floor of a world that has just been built from its record, in a scene as relations see it; also
+/// returns the nodes whose relations may differ from the start.
 pub(super) fn read(
     start: &Start,
     world: &mut PhysicsWorld,
     seen: &SceneGraph,
-) -> Result<(Relations, Floor), InputError> {
+) -> Result<(Relations, Floor, Vec<NodeId>), InputError> {
     let (mut relations, mut floor) = (start.relations.clone(), start.floor.clone());
-    relations.update_with(seen, &changed(&start.graph, seen), observe::evidence(world))?;
+    let met = relations.update_with(seen, &changed(&start.graph, seen), observe::evidence(world))?;
     floor.update(world);
     world.forget_moved();
-    Ok((relations, floor))
+    Ok((relations, floor, met))
 }
 
 /// The nodes of which relations may differ from those of another scene.
