@@ -59,9 +59,10 @@ pub(crate) fn nothing() -> InteractionGroups {
     groups(CARRIED, Group::NONE)
 }
 
-/// Whether a collider is in the way of anything: not what hands are and carry.
+/// Whether a collider is in the way of anything that is planned: not what hands are and carry, nor what stands around the
+/// world, which is in the way of what moves by itself.
 pub(crate) fn is_solid(collider: &Collider) -> bool {
-    !collider.collision_groups().memberships.intersects(CARRIED.union(HAND))
+    !is_around(collider.user_data) && !collider.collision_groups().memberships.intersects(CARRIED.union(HAND))
 }
 
 /// The links in the marks of bodies that are no things of their world: they stand around it, some of them at times only.

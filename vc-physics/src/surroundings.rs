@@ -95,7 +95,7 @@ impl PhysicsWorld {
 
     /// The boxes in which things are that rest on what stands around.
     pub(crate) fn around(&self) -> impl Iterator<Item = Aabb> + '_ {
-                let bodies = self.engine.bodies.iter().map(|(_, body)| body).filter(|body| group::is_around(body.user_data));
+        let bodies = self.engine.bodies.iter().map(|(_, body)| body).filter(|body| group::is_around(body.user_data));
         bodies.filter_map(|body| {
             let own = self.box_around(body.colliders().iter().copied())?;
             Some(Aabb { max: own.max + Vector3::z() * HEADROOM, ..own })
