@@ -112,8 +112,8 @@ pub use check::{ContractViolation, Tally, check_environment, legal_action, rando
 pub use city::CityView;
 #[cfg(feature = "environment")]
 pub use city::{
-    Beyond, City, CityBuilder, CityEnding, CityError, CityObservation, CitySaveError, GoalScope, LiftState,
-    RegionLabel, RegionScenes,
+    Beyond, City, CityBuilder, CityEnding, CityError, CityObservation, CityRecord, CitySaveError, CityViolation,
+    GoalScope, LiftState, RegionLabel, RegionScenes, ReplayError,
 };
 #[cfg(feature = "environment")]
 pub use environment::{

@@ -9,7 +9,7 @@ use vc_graph::{Action, ChangeSet, NodeId, Refusal, Verb, rule};
 use super::journey::{Journey, Leg, Stage};
 use super::leg::walk_to;
 use super::measures::{DOORWAY, LEAF, REACH};
-use super::time::opens_or_shuts;
+use super::time::{is_done_at_a_door, opens_or_shuts};
 use super::{City, CityError, way};
 use crate::{ActionError, Interruption};
 
@@ -38,7 +38,7 @@ impl City {
         let mut legal = self.environment_with(agent)?.legal_actions(agent);
         let region = self.region_of(agent).into_iter();
         for (_, door) in region.flat_map(|region| self.doors_beyond(region)) {
-            for verb in [Verb::Walk, Verb::Run, Verb::Find, Verb::Open, Verb::Close] {
+            for verb in [Verb::Walk, Verb::Run, Verb::Find, Verb::Open, Verb::Close, Verb::Touch, Verb::Push] {
                 let action = Action::one(verb, door);
                 legal.extend(self.refusals_beyond(agent, &action)?.is_empty().then_some(action));
             }
@@ -82,7 +82,7 @@ impl City {
         let there = there.map(|region| self.seen(region)).transpose()?;
         let both = gather(std::iter::once(own).chain(there.as_ref().map(|there| there.graph())), []);
         let mut refusals = rule::refusals(&both, agent, action);
-        if let Some(portal) = self.door_of(agent, action).filter(|_| opens_or_shuts(action.verb)) {
+        if let Some(portal) = self.door_of(agent, action).filter(|_| is_done_at_a_door(action.verb)) {
             refusals.retain(|why| !matches!(why, Refusal::NotNear { .. }));
             let far = self.far_from(agent, portal).filter(|far| *far > REACH && !self.is_crossing(agent));
             let thing = both.label(action.object.unwrap_or(agent));
@@ -131,7 +131,9 @@ impl City {
             _ => None,
         });
         for (agent, portal, action) in due.collect::<Vec<(NodeId, PortalId, Action)>>() {
-            let free = self.clear_doorway(agent, &action, self.in_doorway(portal).or_else(|| self.in_swing(portal)));
+            let met = || self.in_doorway(portal).or_else(|| self.in_swing(portal));
+            let met = if opens_or_shuts(action.verb) { met() } else { None };
+            let free = self.clear_doorway(agent, &action, met);
             match free.and_then(|()| self.move_door(agent, action)) {
                 Ok(changes) => {
                     self.changed(agent, changes);

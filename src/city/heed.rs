@@ -84,6 +84,23 @@ impl City {
         }
     }
 
+    /// Those who stand in a cabin with nothing to do but to wait turn to its door.
+    pub(super) fn riders_turn(&mut self) {
+        let facing = |cabin: RegionId, at: &Pose| {
+            let (_, _, side, _) = self.gates(cabin).next()?;
+            way::turned(at, &way::facing(side.pose.translation.vector.xy() - at.translation.vector.xy()))
+        };
+        let cabins = self.lifts.busy().filter_map(|cabin| Some((cabin, self.environment(cabin)?)));
+        let riders = cabins.flat_map(|(cabin, there)| there.agents().iter().map(move |agent| (cabin, *agent)));
+        let waiting = riders.filter(|(_, agent)| self.can_make_way(*agent));
+        let turned = waiting.filter_map(|(cabin, agent)| Some((agent, facing(cabin, &self.feet(agent)?)?)));
+        for (agent, feet) in turned.collect::<Vec<(NodeId, Pose)>>() {
+            if let Some(there) = self.environment_mut(agent) {
+                there.place_feet(agent, feet);
+            }
+        }
+    }
+
     /// Whether somebody stands and has nothing to do but to wait.
     fn can_make_way(&self, agent: NodeId) -> bool {
         let waits = |journey: &Journey| {

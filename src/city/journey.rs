@@ -11,7 +11,7 @@ use vc_graph::{Action, ChangeSet, NodeId, ObjectNames, Pose, Verb};
 
 use super::measures::{FARTHEST, HANDLES, TRIES};
 use super::passage::Crossing;
-use super::time::{CityEnding, opens_or_shuts};
+use super::time::{CityEnding, is_done_at_a_door};
 use super::{City, CityError};
 use crate::Ending;
 
@@ -203,7 +203,7 @@ impl City {
     /// The legs of a way and of an action at its end. A walk to a door of the region beyond ends before it.
     fn legs_of(&self, agent: NodeId, mut way: Vec<PortalId>, action: Option<Action>) -> Vec<Leg> {
         let handles = |action: Action| {
-            let door = self.door_of(agent, &action).filter(|_| opens_or_shuts(action.verb))?;
+            let door = self.door_of(agent, &action).filter(|_| is_done_at_a_door(action.verb))?;
             Some(Leg::Leaf(door, action))
         };
         let last = match action {

@@ -96,6 +96,11 @@ impl Lifts {
         self.busy.is_empty()
     }
 
+    /// The cabins of those that move or are called.
+    pub(super) fn busy(&self) -> impl Iterator<Item = RegionId> + '_ {
+        self.busy.iter().copied()
+    }
+
     /// The cabins that stand with doors that are not shut, and their stops.
     pub(super) fn standing_open(&self) -> Vec<(RegionId, u32)> {
         use LiftState::{Closing, Open, Opening};

@@ -56,6 +56,7 @@ impl CityBuilder {
             lifts,
             stops: BTreeMap::new(),
             endings: Vec::new(),
+            orders: None,
             glances: Arc::default(),
         };
         let begins: Vec<RegionId> = city.beginnings();

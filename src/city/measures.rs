@@ -61,6 +61,23 @@ pub(super) const SPEED: f64 = 1.0;
 /// Its acceleration, metres per second squared: what passengers do not mind.
 pub(super) const ACCELERATION: f64 = 0.8;
 
+/// How thick what is in the way on a shut threshold is, metres: a leaf.
+pub(super) const BAR: f32 = 0.05;
+/// How far open a leaf is past which things get, 0 to 1.
+pub(super) const AJAR: f32 = 0.1;
+/// How far over a threshold a thing's middle is when it goes over to the region beyond, metres: what lies on the line does
+/// not go to and fro.
+pub(super) const OVER: f32 = 0.02;
+/// How far over it goes with those that it touches, metres; what stands beyond is in the way for as far again.
+pub(super) const TOGETHER: f32 = 1.0;
+/// How far beyond a threshold, or beside it, a thing has come through it, metres.
+pub(super) const BEHIND: f32 = 2.2;
+pub(super) const ASIDE: f32 = 0.5;
+/// How near two things are that may touch in this tick, metres; and how far apart those are that are so no longer: what has come over
+/// does not go back at once.
+pub(super) const TOUCHING: f32 = 0.05;
+pub(super) const NEAR: f32 = 0.15;
+
 /// Through how many doors and windows one sees, one behind the other: what is farther has a few pixels.
 pub(super) const PORTALS: u32 = 3;
 /// How far away a portal is seen, metres: a door is ten pixels high there.

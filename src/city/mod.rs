@@ -7,6 +7,7 @@
 //! regions, [`lift`] how cabins move, [`time`] how all of it goes on, [`save`] cities as bytes; [`measures`] has all speeds,
 //! times and sizes.
 
+mod border;
 mod door;
 mod dormant;
 mod error;
@@ -22,14 +23,17 @@ mod passage;
 mod peek;
 #[cfg(feature = "render")]
 mod picture;
+mod record;
 mod residency;
 mod save;
 #[cfg(feature = "render")]
 mod sight;
 mod source;
 mod spot;
+mod things;
 mod time;
 mod way;
+mod whole;
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -51,9 +55,11 @@ pub use make::CityBuilder;
 pub use observation::{Beyond, CityObservation};
 #[cfg(feature = "render")]
 pub use picture::CityView;
+pub use record::{CityRecord, ReplayError};
 pub use save::CitySaveError;
 pub use source::RegionScenes;
 pub use time::CityEnding;
+pub use whole::CityViolation;
 
 /// Regions joined by portals, each with an [`Environment`] of its own while somebody is in it: a building, a street, a city.
 ///
@@ -96,6 +102,8 @@ pub struct City {
     /// Those who are to end what they do before time goes on, and whether that is told.
     stops: BTreeMap<NodeId, bool>,
     endings: Vec<time::CityEnding>,
+    /// No part of the state: what was ordered, if it is written down.
+    orders: Option<CityRecord>,
     /// No part of the state: regions for whoever looks.
     glances: Arc<peek::Glances>,
 }

@@ -225,14 +225,16 @@ impl City {
         let frames = self.frame(from).zip(self.frame(into));
         let shift = frames.map_or_else(Pose::identity, |(from, to)| from.to(&to));
         let feet = self.feet(agent).unwrap_or_else(Pose::identity);
-        let threshold = Pose::from_parts(side.pose.translation, (shift * feet).rotation);
+        let entered = shift * feet;
         let both = [from, into].into_iter().filter_map(|region| Some((region, self.active.get(&region)?.clone())));
         let before: Vec<(RegionId, Environment)> = both.collect();
-        let passed = self.pass(agent, (plan, from, into), spot, (&shift, threshold));
+        let passed = self.pass(agent, (plan, from, into), spot, (&shift, entered));
         match passed {
             Ok((spot, changes)) => {
                 (crossing.is_beyond, crossing.spot) = (true, spot);
-                crossing.sets_out(way::way_in(plan, into, spot), self.tick);
+                let way = way::way_in(plan, into, spot);
+                // The lines of both sides are some steps apart where walls are thick, and the doors of a lift.
+                crossing.sets_out(std::iter::once(entered.translation.vector.into()).chain(way).collect(), self.tick);
                 self.changed(agent, changes);
                 Ok(())
             }
@@ -250,7 +252,7 @@ impl City {
         agent: NodeId,
         (plan, from, into): (&Portal, RegionId, RegionId),
         spot: Point2<f32>,
-        (shift, threshold): (&Pose, Pose),
+        (shift, feet): (&Pose, Pose),
     ) -> Result<(Point2<f32>, ChangeSet), CityError> {
         let space = self.space().clone();
         let travel = |why| CityError::of_travel(&space, why);
@@ -262,15 +264,20 @@ impl City {
         let room = room.unwrap_or(NodeId(0));
         let [from, _] = way::last_stretch(plan, into, spot);
         let fits = |there: &Environment, spot: &Point2<f32>| there.leads_straight(&from, spot);
-        let arrived = next.arrive(&departure, (into, room), shift, threshold, (spot, fits));
+        let arrived = next.arrive(&departure, (into, room), shift, feet, (spot, fits));
         let (spot, entered) = arrived.map_err(travel)?;
-        for node in departure.nodes() {
-            if space.made_in(node) == Some(into) {
+        self.are_now_in(departure.nodes(), into);
+        Ok((spot, left.then(entered)))
+    }
+
+    /// Takes note of nodes that are in another region now.
+    pub(super) fn are_now_in(&mut self, nodes: impl Iterator<Item = NodeId>, region: RegionId) {
+        for node in nodes {
+            if self.space().made_in(node) == Some(region) {
                 self.whereabouts.remove(&node);
             } else {
-                self.whereabouts.insert(node, into);
+                self.whereabouts.insert(node, region);
             }
         }
-        Ok((spot, left.then(entered)))
     }
 }

@@ -1,5 +1,7 @@
 //! The regions that are there: those with agents, and those in which something still moves.
 
+use std::collections::BTreeSet;
+
 use vc_graph::clock::Span;
 use vc_graph::space::{RegionId, SpaceError};
 use vc_graph::{Event, Node, NodeId, State, Verb};
@@ -20,6 +22,7 @@ impl City {
             environment.step(Span(self.tick.0.saturating_sub(environment.tick().0)));
             self.active.insert(region, environment);
             self.move_lift_doors(region);
+            self.set_bars(region);
         }
         let space = self.source.space();
         self.active.get_mut(&region).ok_or_else(|| CityError::NoScene(RegionLabel::new(space, region)))
@@ -34,17 +37,18 @@ impl City {
         if let Some(node) = scene.nodes().find(|node| !plan.numbers.has(node.id())) {
             return Err(SpaceError::ForeignNumber { region, node: Node::label(node) }.into());
         }
-        let made = self.settings.clone().scene(scene).unpeopled().make();
+        let made = self.settings.clone().scene(scene).unpeopled().amid(self.around(region)).make();
         made.map_err(|why| CityError::Make { region: label(), why: why.into() })
     }
 
-    /// Lets regions go in which nobody is and nothing moves.
-    pub(super) fn let_rest(&mut self) {
+    /// Lets regions go in which nobody is and nothing moves, and into which nothing reaches.
+    pub(super) fn let_rest(&mut self, reached: &BTreeSet<RegionId>) {
         let is_needed = |region: &RegionId| {
             let crossed = |journey: &super::Journey| journey.needs(*region);
             self.agents.iter().any(|agent| self.whereabouts.get(agent) == Some(region))
                 || self.journeys.values().any(crossed)
                 || self.has_open_lift(*region)
+                || reached.contains(region)
         };
         let rests = |(region, environment): (&RegionId, &Environment)| {
             (!is_needed(region) && environment.is_still()).then_some(*region)

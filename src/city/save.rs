@@ -237,6 +237,7 @@ impl City {
             lifts,
             stops: saved.stops,
             endings: Vec::new(),
+            orders: None,
             ..self.clone()
         })
     }

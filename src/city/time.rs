@@ -8,6 +8,7 @@ use vc_graph::space::RegionId;
 use vc_graph::{Action, ChangeSet, Node, NodeId, ObjectRole, SceneGraph, State, Verb, rule};
 
 use super::measures::{AT_THRESHOLD, LONGEST};
+use super::record::Order;
 use super::{City, CityError};
 use crate::{ActionError, Ending, Environment, Interruption};
 
@@ -41,6 +42,11 @@ pub(super) fn opens_or_shuts(verb: Verb) -> bool {
     matches!(verb, Verb::Open | Verb::Close)
 }
 
+/// Whether an action is done at a front door from either side.
+pub(super) fn is_done_at_a_door(verb: Verb) -> bool {
+    opens_or_shuts(verb) || matches!(verb, Verb::Touch | Verb::Push)
+}
+
 impl City {
     /// Gives an agent an action, which begins in the next tick of [`step`](Self::step), as [`Environment::give`](crate::Environment::give)
     /// does. A walk to something in another region leads there, one to the door of another region before it; from there it is
@@ -50,12 +56,13 @@ impl City {
     /// # Errors
     /// [`CityError::NoSuchAgent`], [`CityError::NoWay`], [`CityError::NoWayOut`], [`CityError::MovesByItself`].
     pub fn give(&mut self, agent: NodeId, action: Action) -> Result<(), CityError> {
+        self.write_down(agent, Order::act(action));
         self.environment_with(agent)?;
         if let Some(door) = action.object.filter(|door| self.is_of_lift(*door) && opens_or_shuts(action.verb)) {
             return Err(CityError::MovesByItself(self.label(door)));
         }
         let region = self.elsewhere(agent, &action);
-        let is_beyond = region.is_some() || (opens_or_shuts(action.verb) && self.door_of(agent, &action).is_some());
+        let is_beyond = region.is_some() || (is_done_at_a_door(action.verb) && self.door_of(agent, &action).is_some());
         let refusals = match is_beyond {
             true => self.refusals_beyond(agent, &action)?,
             // Its environment says itself what it refuses, but a refused action breaks no journey off.
@@ -82,6 +89,7 @@ impl City {
 
     /// Ends what an agent is doing, where it is; whoever is between two regions gets through first.
     pub fn interrupt(&mut self, agent: NodeId) {
+        self.write_down(agent, Order::Stop);
         match self.is_crossing(agent) {
             true => drop(self.set_out(agent, None, None)),
             false => drop(self.break_off(agent)),
@@ -93,6 +101,7 @@ impl City {
     /// # Errors
     /// [`CityError::NoSuchAgent`], [`CityError::NoWay`], [`CityError::NoWayOut`].
     pub fn send(&mut self, agent: NodeId, region: RegionId) -> Result<(), CityError> {
+        self.write_down(agent, Order::Go(region));
         self.environment_with(agent)?;
         self.set_out(agent, Some(region), None)
     }
@@ -185,23 +194,16 @@ impl City {
     /// Lets time pass until a tick at most, or until something has to be looked at: a step of a journey, or the end of what
     /// an agent does, if its ending is the first after some that are known.
     fn advance(&mut self, end: Tick, whom: Option<(NodeId, usize)>) {
-        let now = self.tick;
         self.stop_those_told();
         self.journeys_begin();
+        self.make_way_for_leaves();
         let has_ended = |(agent, known): (NodeId, usize)| self.endings[known..].iter().any(|e| e.is_last_of(agent));
         if whom.is_some_and(has_ended) {
             return;
         }
-        let in_transit = !self.journeys.is_empty() || !self.lifts.are_idle();
-        let alone = whom.filter(|_| !in_transit && self.busy().count() <= 1);
-        let next = Tick(now.0 + 1);
-        let mut to = if in_transit || (whom.is_some() && alone.is_none()) { next } else { end };
+        let to = self.next_stop(end);
+        let mut moving = self.moving();
         let mut ended = Vec::new();
-        let region = alone.and_then(|(agent, _)| self.region_of(agent));
-        if let Some(((agent, _), environment)) = alone.zip(region.and_then(|region| self.active.get_mut(&region))) {
-            ended.extend(environment.step_while_acting(agent, Span(to.0 - now.0)));
-            to = environment.tick().max(next);
-        }
         for environment in self.active.values_mut() {
             ended.extend(environment.step(Span(to.0.saturating_sub(environment.tick().0))));
         }
@@ -213,14 +215,26 @@ impl City {
         self.lifts_pass();
         self.journeys_pass();
         self.doors_pass();
+        moving.extend(self.moving());
+        let reached = self.things_pass(&moving);
         // At the end of a tick all has begun that can: it does not matter whether somebody asks for the next.
         self.journeys_begin();
-        self.let_rest();
+        self.let_rest(&reached);
     }
 
-    /// The regions in which somebody acts or something moves.
-    fn busy(&self) -> impl Iterator<Item = RegionId> + '_ {
-        self.active.iter().filter(|(_, environment)| !environment.is_still()).map(|(region, _)| *region)
+    /// The end of the next tick in which something is touched, at most a tick: nothing comes to a portal before.
+    fn next_stop(&mut self, end: Tick) -> Tick {
+        if !self.journeys.is_empty() || !self.lifts.are_idle() {
+            return self.tick + Span(1);
+        }
+        let live = self.active.values_mut().filter_map(Environment::next_live).min();
+        live.map_or(end, |live| (live.max(self.tick) + Span(1)).min(end))
+    }
+
+    /// The regions in which something moves, or is about to.
+    fn moving(&self) -> BTreeSet<RegionId> {
+        let moves = |environment: &Environment| !environment.is_still();
+        self.active.iter().filter(|(_, environment)| moves(environment)).map(|(region, _)| *region).collect()
     }
 
     /// An action in a region has ended: that of a journey, or one that was given.
@@ -253,6 +267,7 @@ impl City {
         let kept_open = open.filter(|(cabin, stop)| self.keeps_open(*cabin, *stop)).map(|(cabin, _)| cabin).collect();
         let changed = self.lifts.pass(self.tick, &kept_open);
         changed.into_iter().for_each(|cabin| self.move_lift_doors(cabin));
+        self.riders_turn();
     }
 
     /// Opens and shuts the doors of a lift, or of all lifts at a region, where they are there to be seen.
@@ -261,6 +276,7 @@ impl City {
         let beyond = portals.filter_map(|plan| Some(plan.across(region)?.region));
         let regions: BTreeSet<RegionId> = beyond.chain([region]).collect();
         for at in regions {
+            self.set_bars(at);
             let Some(environment) = self.active.get(&at) else { continue };
             let doors = self.lift_doors(at, environment.graph());
             if let Some(environment) = self.active.get_mut(&at) {

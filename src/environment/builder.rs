@@ -65,6 +65,8 @@ pub(super) struct EnvironmentSettings {
     pub(super) tolerance: f32,
     /// Whether there may be nobody in it: agents come from elsewhere.
     pub(super) unpeopled: bool,
+    /// What stands around it.
+    pub(super) around: Arc<super::Around>,
     /// An hour that was asked for and is none.
     pub(super) no_hour: Option<f32>,
     #[cfg(feature = "render")]
@@ -87,6 +89,7 @@ impl EnvironmentSettings {
             time: TimeSettings::default(),
             tolerance: SUPPORT_GAP,
             unpeopled: false,
+            around: Arc::default(),
             no_hour: None,
             #[cfg(feature = "render")]
             pictures: crate::PictureOptions::default(),
@@ -119,6 +122,12 @@ impl EnvironmentBuilder {
     /// Without agents: they come from elsewhere.
     pub(crate) fn unpeopled(mut self) -> Self {
         (self.agents, self.settings.unpeopled) = (0, true);
+        self
+    }
+
+    /// With walls and floors around it that are no things of it.
+    pub(crate) fn amid(mut self, around: super::Around) -> Self {
+        self.settings.around = around.into();
         self
     }
 

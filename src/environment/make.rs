@@ -118,6 +118,7 @@ impl Environment {
         }
         let (mut graph, shapes) = (graph, ShapeCache::new());
         let mut world = PhysicsWorld::build(&graph, &shapes, settings.physics)?;
+        settings.around.put_into(&mut world)?;
         let mut told = seats::take(&mut world, &mut graph)?;
         let mut builder = SceneBuilder::from_graph(graph);
         boxes::hold(&mut world, builder.graph(), &staying)?;

@@ -1,6 +1,7 @@
 //! The environment: a home with bodies, in which agents act.
 
 mod alter;
+mod around;
 mod astray;
 mod attempt;
 mod body;
@@ -13,6 +14,7 @@ mod error;
 mod execute;
 mod export;
 mod feasible;
+mod freight;
 mod gaze;
 mod make;
 mod motion;
@@ -46,6 +48,7 @@ use vc_physics::{Floor, PhysicsWorld, Posture, ShapeCache};
 use vc_relations::Relations;
 
 pub use alter::{AlterError, Spot};
+pub(crate) use around::{Around, Bar, Walls};
 pub use attempt::Attempt;
 pub use builder::EnvironmentBuilder;
 use builder::EnvironmentSettings;

@@ -82,4 +82,30 @@ impl Environment {
         self.read_moved().map_err(impossible)?;
         Ok(ChangeSet::between(&before, &self.graph))
     }
+
+    /// Pushes a loose thing with an impulse at a point, newton seconds and metres: a gust, a foot, whatever disturbs an
+    /// experiment. It is no action; the thing moves in the ticks that follow. It uses `PhysicsWorld::push`.
+    ///
+    /// # Errors
+    /// [`PhysicalRefusal`] for what is no loose thing, or numbers that are not finite; nothing has changed then.
+    ///
+    /// ```
+    /// use nalgebra::Vector3;
+    /// use virtualcity::Environment;
+    /// use virtualcity::graph::clock::Span;
+    /// let mut home = Environment::make("apartment/42", 1)?;
+    /// let chair = home.graph().of_class("dining_chair")[0];
+    /// let middle = home.world().body(chair)?.centre_of_mass();
+    /// home.push(chair, Vector3::new(0.0, 0.0, 10.0), middle)?;
+    /// home.step(Span(6));
+    /// assert!(home.world().body(chair)?.centre_of_mass().z > middle.z + 0.05);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn push(&mut self, thing: NodeId, impulse: Vector3<f32>, at: Point3<f32>) -> Result<(), PhysicalRefusal> {
+        let pushed = self.world.push(thing, impulse, at);
+        pushed.map_err(|why| PhysicalRefusal::from(why).in_scene(&self.graph))?;
+        (self.clock.stirred, self.clock.unseen) = (true, true);
+        self.excuse(&self.graph.carried_with(thing));
+        Ok(())
+    }
 }

@@ -7,7 +7,7 @@ use vc_graph::{Action, ChangeSet, Event, Label, NodeId, Pose, SceneGraph, Verb};
 use vc_physics::{PhysicsWorld, Posture, Traveller};
 
 use super::clock::DISTANCES;
-use super::{Ending, Environment, PhysicalRefusal, make, observe};
+use super::{Environment, PhysicalRefusal, make};
 
 /// An agent that has left an environment, with its body and all that it carries.
 #[derive(Clone)]
@@ -84,13 +84,10 @@ impl Environment {
         }
         let load = Load::new(&self.graph, agent, region)?;
         let body = self.world.depart(agent).map_err(|why| PhysicalRefusal::from(why).in_scene(&self.graph))?;
-        self.clock.about_to_change(&self.graph);
-        let changes = load.leave(&mut self.graph)?;
-        self.excuse(&load.ids().collect::<Vec<NodeId>>());
         self.poses.remove(&agent);
-        self.clock.note(changes.clone());
-        self.read_anew(&load.ids().collect::<Vec<NodeId>>())?;
-        Ok((Departure { body, load }, changes))
+        self.let_go(&load)?;
+        // As the end of an action tells what has changed since the one before.
+        Ok((Departure { body, load }, self.clock.take_journal()))
     }
 
     /// Lets an agent enter at a pose of its feet, in the frame of this region; the poses of what it carries are taken over by
@@ -124,11 +121,8 @@ impl Environment {
                 return Err(why);
             }
         };
-        self.clock.note(changes.clone());
-        let nodes: Vec<NodeId> = who.nodes().collect();
-        self.excuse(&nodes);
-        self.read_anew(&nodes)?;
-        Ok((spot, changes))
+        self.let_in(&who.load, &changes)?;
+        Ok((spot, self.clock.take_journal()))
     }
 
     /// Whether a point is apart from all others who are here.
@@ -212,12 +206,6 @@ impl Environment {
         self.floor.route(from, to).is_some()
     }
 
-    /// Lets time pass while an agent is doing something, at most a span; returns the actions that have ended.
-    pub(crate) fn step_while_acting(&mut self, agent: NodeId, most: Span) -> Vec<Ending> {
-        self.advance_while(self.tick() + most, |home| home.current_action(agent).is_some());
-        self.take_endings()
-    }
-
     /// Puts feet somewhere on the way between two regions.
     pub(crate) fn place_feet(&mut self, agent: NodeId, feet: Pose) {
         if self.world.teleport(agent, feet).is_ok() {
@@ -242,15 +230,17 @@ impl Environment {
         Ok(changes)
     }
 
-    /// Opens or shuts the door that an action is about, which somebody on its other side does.
+    /// Opens or shuts the door that an action is about, or touches it only, which somebody on its other side does.
     pub(crate) fn move_leaf_from_outside(
         &mut self,
         agent: NodeId,
         action: Action,
     ) -> Result<ChangeSet, PhysicalRefusal> {
         let changes = match action.object {
-            Some(leaf) => self.set_leaf(leaf, action.verb == Verb::Open)?,
-            None => ChangeSet::default(),
+            Some(leaf) if matches!(action.verb, Verb::Open | Verb::Close) => {
+                self.set_leaf(leaf, action.verb == Verb::Open)?
+            }
+            _ => ChangeSet::default(),
         };
         self.past.push(Event { agent, action });
         Ok(changes)
@@ -269,21 +259,5 @@ impl Environment {
         let start = &self.start;
         self.graph.digest() == start.graph.digest()
             && self.world.nodes().into_iter().all(|id| position(&self.world, id) == position(&start.world, id))
-    }
-
-    /// Reads relations anew, since nodes have come or gone.
-    fn read_anew(&mut self, nodes: &[NodeId]) -> Result<(), PhysicalRefusal> {
-        let here: Vec<NodeId> = nodes.iter().copied().filter(|id| self.graph.node(*id).is_some()).collect();
-        let (_, poses) = observe::write_poses(&mut self.graph, &self.world)?;
-        self.clock.note(poses);
-        self.relations.set_evidence(&self.graph, observe::evidence(&self.world))?;
-        self.relations.rebuild(&self.graph)?;
-        let (graph, world) = (&mut self.graph, &mut self.world);
-        let (_, seen) = observe::look_again(graph, &self.start, world, &mut self.relations, &here)?;
-        self.clock.note(seen);
-        self.clock.scene_changed();
-        self.clock.stirred = true;
-        self.look_anew();
-        Ok(())
     }
 }

@@ -5,7 +5,9 @@ mod passing;
 mod saves;
 mod sight;
 mod spots;
+mod things;
 mod together;
+mod whole;
 mod worlds;
 
 use std::error::Error;

@@ -246,7 +246,7 @@ impl Environment {
         // It moves from now on: those who would walk into it are told now, not before.
         let whole = vec![drive.open; self.world.parts(drive.id).all().len()];
         self.heed_passers(agent, &Leaf::new(&self.world, drive.id, &whole, now))?;
-        let Some(ends) = ends else { return self.push(agent, &drive, false) };
+        let Some(ends) = ends else { return self.drive_against(agent, &drive, false) };
         let leaf = Leaf::new(&self.world, drive.id, &ends, self.after_walkers(agent, drive.id, drive.open));
         self.follow_leaf(agent, leaf);
         Ok(())
@@ -262,7 +262,7 @@ impl Environment {
 
     /// Motors move what something is in the way of, until they have arrived or given up: doors open before what is
     /// behind them. A part without a motor pushes nothing.
-    fn push(&mut self, agent: NodeId, drive: &Drive, behind: bool) -> Going {
+    fn drive_against(&mut self, agent: NodeId, drive: &Drive, behind: bool) -> Going {
         let parts = self.world.parts(drive.id).all();
         let turns = |part: &MovingPart| part.has_motor && part.kind == JointKind::Hinge;
         let all = behind || drive.open <= 0.0 || !parts.iter().any(turns);
@@ -285,7 +285,7 @@ impl Environment {
         };
         let parts = self.world.parts(drive.id).all();
         if parts.iter().any(|part| part.kind == JointKind::Hinge && part.open >= WIDE) {
-            return self.push(agent, &drive, true);
+            return self.drive_against(agent, &drive, true);
         }
         self.perform(agent)
     }
@@ -368,7 +368,7 @@ impl Environment {
         let past: Vec<NodeId> = self.walkers(agent).into_iter().chain([agent]).collect();
         let moved = self.world.set_openness(drive.id, drive.open, &past);
         if !moved.map_err(|e| self.cannot(agent, e.into()))? {
-            self.push(agent, &drive, false)?;
+            self.drive_against(agent, &drive, false)?;
             if let Some(schedule) = self.clock.running.get_mut(&agent) {
                 schedule.motion = Some(BodyMotion::Drive(drive));
             }

@@ -79,6 +79,11 @@ impl Clock {
         self.journal = std::mem::take(&mut self.journal).then(changes);
     }
 
+    /// The changes of the graph since the last action, which are told now.
+    pub(super) fn take_journal(&mut self) -> ChangeSet {
+        std::mem::take(&mut self.journal)
+    }
+
     /// Something has changed the scene, and relations have read it: other processes may go on.
     pub(super) fn scene_changed(&mut self) {
         (self.noticed, self.read) = (false, None);
@@ -271,7 +276,7 @@ impl Environment {
     }
 
     /// The next tick in which the world is touched, if there is one.
-    fn next_live(&mut self) -> Option<Tick> {
+    pub(crate) fn next_live(&mut self) -> Option<Tick> {
         let now = self.tick();
         if self.clock.stirred || self.clock.controls.new || !self.clock.given.is_empty() || !self.world.pass(0) {
             return Some(now);
@@ -341,7 +346,7 @@ impl Environment {
     fn end(&mut self, agent: NodeId, action: Action, outcome: Result<(), ActionError>) {
         let outcome = outcome.map(|()| {
             self.past.push(Event { agent, action });
-            std::mem::take(&mut self.clock.journal)
+            self.clock.take_journal()
         });
         self.clock.endings.push(Ending { tick: self.tick(), agent, action, outcome });
         // Where it has come to is read later, and is nobody else's.

@@ -119,3 +119,18 @@ fn wrong_orders_about_what_is_elsewhere_are_refused_at_once() {
     city.set_action(me, format!("walk cup.{}", cup.0).parse().unwrap()).unwrap();
     assert_eq!(city.region_of(me), Some(landing(2)));
 }
+
+/// A front door is touched and pushed from outside as from within; nothing moves by that.
+#[test]
+fn a_front_door_is_touched_from_the_gallery() {
+    let (mut city, storey, door) = on_the_gallery();
+    let me = city.agents().next().unwrap();
+    city.set_action(me, Action::walk(door)).unwrap();
+    let before = city.peek(storey.homes[1]).unwrap().graph().clone();
+    for verb in [Verb::Touch, Verb::Push] {
+        assert!(city.legal_actions(me).unwrap().contains(&Action::one(verb, door)), "{verb}");
+        city.set_action(me, Action::one(verb, door)).unwrap();
+        assert_eq!(city.region_of(me), Some(storey.gallery));
+    }
+    assert!(city.peek(storey.homes[1]).unwrap().graph() == &before);
+}

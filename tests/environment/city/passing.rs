@@ -214,3 +214,31 @@ fn tell(city: &mut City, agent: NodeId, order: &Order) {
         Order::Stop => city.interrupt(agent),
     }
 }
+
+/// Nobody jumps from region to region: over a threshold, into a cabin and out of it one makes a step in a tick, as everywhere.
+#[test]
+fn nobody_jumps_between_regions() {
+    let mut city = crowd(4);
+    let agents: Vec<NodeId> = city.agents().collect();
+    let at = |city: &City, agent: NodeId| {
+        let (at, region) = (feet(city, agent), city.region_of(agent).unwrap());
+        (region, city.frame(region).unwrap().point(&Point3::new(f64::from(at.x), f64::from(at.y), f64::from(at.z))))
+    };
+    let mut crossings = 0;
+    for goal in [landing(2), YARD] {
+        agents.iter().for_each(|agent| city.send(*agent, goal).unwrap());
+        let mut before: Vec<_> = agents.iter().map(|agent| at(&city, *agent)).collect();
+        for _ in 0..60 * 120 {
+            city.step(Span(1));
+            for (agent, before) in agents.iter().zip(&mut before) {
+                let now = at(&city, *agent);
+                let step = (now.1 - before.1).norm();
+                assert!(now.0 == before.0 || step < 0.05, "{agent} comes {step} m in a tick, to {}", now.0);
+                crossings += usize::from(now.0 != before.0);
+                *before = now;
+            }
+        }
+        assert!(agents.iter().all(|agent| city.region_of(*agent) == Some(goal)));
+    }
+    assert!(crossings >= 16, "{crossings}");
+}

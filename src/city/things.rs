@@ -1,0 +1,244 @@
+//! Things that go through portals by themselves: that roll, fall, or are pushed from region to region.
+//!
+//! Each region has bodies of its own, and around it [stands](super::border) what is fixed beyond its portals. A thing goes
+//! over to the region beyond where its middle is. What moves together stays together until it rests or is a metre beyond: a
+//! thing that is touched through a portal comes over to that which touches it, so that both are bodies of one world.
+
+use std::collections::BTreeSet;
+
+use nalgebra::{Point3, Vector3};
+use vc_graph::space::{Portal, PortalSide, RegionId};
+use vc_graph::{Aabb, NodeId, Pose};
+use vc_physics::BodyRole;
+
+use super::measures::{ASIDE, BEHIND, NEAR, OVER, TOGETHER, TOUCHING};
+use super::record::Order;
+use super::{City, CityError};
+use crate::Environment;
+
+/// A portal as things of a region go through it.
+struct Gate {
+    from: RegionId,
+    into: RegionId,
+    /// The sides of both regions, in the frame of the first.
+    own: Pose,
+    across: Pose,
+    /// Takes poses of the first region to the other.
+    shift: Pose,
+    width: f32,
+    height: f32,
+    leaf: Option<NodeId>,
+    room: Option<NodeId>,
+}
+
+impl Gate {
+    /// How far a point is over the line between both regions, metres, if it is behind this portal.
+    fn beyond(&self, at: &Point3<f32>) -> Option<f32> {
+        let (out, back) = (self.own.inverse_transform_point(at), self.across.inverse_transform_point(at));
+        let over = (out.x - back.x) / 2.0;
+        let (aside, lowest) = (self.width / 2.0 + ASIDE, -ASIDE);
+        let is_behind = out.y.abs() < aside && (lowest..self.height + ASIDE).contains(&out.z);
+        (is_behind && over < BEHIND).then_some(over)
+    }
+
+    /// Whether a box reaches over the line.
+    fn is_reached_by(&self, around: &Aabb) -> bool {
+        around.corners().iter().any(|corner| self.beyond(corner).is_some_and(|over| over > -TOUCHING))
+    }
+
+    /// Whether a box is where the leaf swings.
+    fn is_swept(&self, around: &Aabb) -> bool {
+        around.distance(&Point3::from(self.own.translation.vector)) < self.width + TOUCHING
+    }
+}
+
+impl City {
+    /// Pushes a loose thing, wherever it is: [`Environment::push`], the impulse and the point in the frame of its region.
+    ///
+    /// ```
+    /// use virtualcity::City;
+    /// use virtualcity::graph::clock::Span;
+    /// use virtualcity::nalgebra::Vector3;
+    /// let mut city = City::make("building/7", 1)?;
+    /// let home = city.active().next().ok_or("a home")?;
+    /// let there = city.environment(home).ok_or("a home")?;
+    /// let chair = there.graph().of_class("dining_chair")[0];
+    /// let middle = there.world().body(chair)?.centre_of_mass();
+    /// city.push(chair, Vector3::new(0.0, 0.0, 10.0), middle)?;
+    /// city.step(Span(6));
+    /// assert!(city.environment(home).ok_or("a home")?.world().body(chair)?.centre_of_mass().z > middle.z + 0.05);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`CityError::Bodies`]; [`CityError::NoScene`] and other reasons for which a region cannot be made.
+    pub fn push(&mut self, thing: NodeId, impulse: Vector3<f32>, at: Point3<f32>) -> Result<(), CityError> {
+        self.write_down(thing, Order::Push(impulse.into(), at.into()));
+        let region = self.region_of(thing).unwrap_or(RegionId(u32::MAX));
+        Ok(self.wake(region)?.push(thing, impulse, at)?)
+    }
+
+    /// Lets things go over to the regions where they are, from some regions in which something moves; returns the regions
+    /// into which something reaches.
+    pub(super) fn things_pass(&mut self, moving: &BTreeSet<RegionId>) -> BTreeSet<RegionId> {
+        let mut reached = BTreeSet::new();
+        for region in moving {
+            self.bar_behind(*region);
+            for gate in self.open_gates(*region) {
+                reached.extend(self.draw_near(&gate));
+                self.send_over(&gate);
+            }
+        }
+        reached
+    }
+
+    /// Things beyond its leaf are in its way when somebody begins to move it.
+    pub(super) fn make_way_for_leaves(&mut self) {
+        let moves = |(region, there): (&RegionId, &Environment)| {
+            let mut leaves = self.gates(*region).filter_map(|(_, plan, ..)| plan.leaf);
+            leaves.any(|leaf| there.is_moved_by_hand(leaf)).then_some(*region)
+        };
+        for region in self.active.iter().filter_map(moves).collect::<Vec<RegionId>>() {
+            for gate in self.gates_of(region) {
+                self.draw_near(&gate);
+            }
+        }
+    }
+
+    /// The leaves of a region bar the thresholds of those beyond.
+    fn bar_behind(&mut self, region: RegionId) {
+        let leaves = self.gates(region).filter(|(_, plan, ..)| plan.leaf.is_some());
+        let beyond: BTreeSet<RegionId> = leaves.map(|(.., across)| across.region).collect();
+        beyond.into_iter().for_each(|other| self.set_bars(other));
+    }
+
+    fn gates_of(&self, region: RegionId) -> Vec<Gate> {
+        self.gates(region).filter_map(|(_, plan, side, across)| self.gate(plan, side, across)).collect()
+    }
+
+    fn open_gates(&self, region: RegionId) -> Vec<Gate> {
+        let open = self.gates(region).filter(|(_, plan, ..)| self.lets_things_through(region, plan));
+        open.filter_map(|(_, plan, side, across)| self.gate(plan, side, across)).collect()
+    }
+
+    fn gate(&self, plan: &Portal, side: &PortalSide, across: &PortalSide) -> Option<Gate> {
+        let (from, into) = (side.region, across.region);
+        let back = self.pose_in(from, into)?;
+        Some(Gate {
+            from,
+            into,
+            own: side.pose,
+            across: back * across.pose,
+            shift: self.pose_in(into, from)?,
+            width: plan.width,
+            height: plan.height,
+            leaf: plan.leaf.filter(|leaf| self.region_of(*leaf) == Some(from)),
+            room: across.room,
+        })
+    }
+
+    /// Lets those things come over to a region that something of it is about to touch beyond a portal; tells the region
+    /// beyond if something reaches into it.
+    fn draw_near(&mut self, gate: &Gate) -> Option<RegionId> {
+        let there = self.active.get(&gate.from)?;
+        let mut reaching: Vec<Aabb> = moving_boxes(there).filter(|own| gate.is_reached_by(own)).collect();
+        let swings = gate.leaf.is_some_and(|leaf| there.is_moved_by_hand(leaf));
+        if reaching.is_empty() && !swings {
+            return None;
+        }
+        reaching.iter_mut().for_each(|own| *own = own.grown(TOUCHING, TOUCHING));
+        let back = gate.shift.inverse();
+        let beyond = self.wake(gate.into).ok()?;
+        let is_met = |id: &NodeId| {
+            let around = beyond.world().aabb(*id).map(|own| shifted(&own, &back));
+            around.is_some_and(|own| reaching.iter().any(|other| other.meets(&own)) || (swings && gate.is_swept(&own)))
+        };
+        let near = |id: &NodeId| {
+            beyond.world().pose(*id).is_some_and(|at| gate.beyond(&(back * at * Point3::origin())).is_some())
+        };
+        let met: BTreeSet<NodeId> = loose(beyond).filter(near).filter(is_met).map(|id| beyond.carrier(id)).collect();
+        for thing in met {
+            // What cannot come over stays where it is.
+            let _ = self.carry_over(thing, (gate.into, gate.from), &back, None);
+        }
+        Some(gate.into)
+    }
+
+    /// Lets things go over to the region beyond a portal where they are, unless they go on with others here.
+    fn send_over(&mut self, gate: &Gate) {
+        let Some(there) = self.active.get(&gate.from) else { return };
+        let over =
+            |id: &NodeId| gate.beyond(&there.world().body(*id).ok()?.centre_of_mass()).filter(|over| *over > OVER);
+        if !loose(there).any(|id| over(&id).is_some()) {
+            return;
+        }
+        let Some(there) = self.active.get_mut(&gate.from) else { return };
+        there.catch_up();
+        let there = &*there;
+        let over =
+            |id: &NodeId| gate.beyond(&there.world().body(*id).ok()?.centre_of_mass()).filter(|over| *over > OVER);
+        let alone = loose(there).filter(|id| there.carrier(*id) == *id);
+        let goes = |id: &NodeId| over(id).is_some_and(|far| far > TOGETHER || !is_with_others(there, gate, *id));
+        for thing in alone.filter(goes).collect::<Vec<NodeId>>() {
+            // It stays here if there is no place for it beyond.
+            let _ = self.carry_over(thing, (gate.from, gate.into), &gate.shift, gate.room);
+        }
+    }
+
+    /// Takes a thing, and what is on or in it, from region to region as it moves.
+    fn carry_over(
+        &mut self,
+        thing: NodeId,
+        (from, into): (RegionId, RegionId),
+        shift: &Pose,
+        room: Option<NodeId>,
+    ) -> Result<(), CityError> {
+        let space = self.space().clone();
+        let travel = |why| CityError::of_travel(&space, why);
+        self.wake(into)?;
+        let both = [from, into].into_iter().filter_map(|region| Some((region, self.active.get(&region)?.clone())));
+        let before: Vec<(RegionId, Environment)> = both.collect();
+        let Some(home) = self.active.get_mut(&from) else { return Ok(()) };
+        let freight = home.send_off(thing, from).map_err(travel)?;
+        let Some(next) = self.active.get_mut(&into) else { return Ok(()) };
+        let room = room.or_else(|| next.graph().rooms().first().copied()).unwrap_or(NodeId(0));
+        if let Err(why) = next.take_in(&freight, (into, room), shift) {
+            self.active.extend(before);
+            return Err(travel(why));
+        }
+        self.are_now_in(freight.nodes(), into);
+        Ok(())
+    }
+}
+
+/// The loose things of a region.
+fn loose(there: &Environment) -> impl Iterator<Item = NodeId> + '_ {
+    there.world().nodes().into_iter().filter(|id| there.world().role(*id) == Some(BodyRole::Loose))
+}
+
+/// The boxes around what moves in a region, grown by what it moves in a tick.
+fn moving_boxes(there: &Environment) -> impl Iterator<Item = Aabb> + '_ {
+    there.world().awake_things().into_iter().filter_map(|id| {
+        let speed = there.world().body(id).ok()?.velocity().norm();
+        let tick = speed * there.world().settings().dt;
+        Some(there.world().aabb(id)?.grown(tick, tick))
+    })
+}
+
+/// Whether a thing touches others of its region while one of both moves, or a leaf in somebody's hand.
+fn is_with_others(there: &Environment, gate: &Gate, thing: NodeId) -> bool {
+    let Some(around) = there.world().aabb(thing).map(|own| own.grown(NEAR, NEAR)) else { return false };
+    let by_hand = gate.leaf.is_some_and(|leaf| there.is_moved_by_hand(leaf));
+    let (awake, own) = (there.world().awake_things(), there.graph().carried_with(thing));
+    let moves = awake.contains(&thing);
+    let others = loose(there).filter(|id| !own.contains(id) && (moves || awake.contains(id)));
+    let touches = |id: NodeId| there.world().aabb(id).is_some_and(|other| other.meets(&around));
+    (by_hand && gate.is_swept(&around)) || others.into_iter().any(touches)
+}
+
+/// A box in another frame.
+fn shifted(around: &Aabb, shift: &Pose) -> Aabb {
+    let corners = around.corners().map(|corner| shift * corner);
+    let first = Aabb { min: corners[0], max: corners[0] };
+    corners.iter().fold(first, |all, corner| Aabb { min: all.min.inf(corner), max: all.max.sup(corner) })
+}

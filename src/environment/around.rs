@@ -1,0 +1,56 @@
+//! What stands around an environment: walls and floors of the regions beyond its doors.
+
+use nalgebra::{Point3, Vector3};
+use vc_graph::{Node, NodeId, Pose, SceneGraph};
+use vc_physics::{PhysicsError, PhysicsWorld};
+
+/// How far from a threshold what stands beyond it is in the way here, too, metres: a table whose middle is on the threshold
+/// is no longer.
+const NEAR: f32 = 2.0;
+
+/// How much lower it is than there, metres. Where two floors meet flush the engine brakes what rolls over the seam by a third and
+/// throws it up by 15 mm, as what rolls has sunk in by a millimetre and meets the edge of the second.
+const SEAM: f32 = 3e-3;
+
+/// Fixed bodies of other scenes that are in the way here, too.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Around {
+    pub(crate) walls: Vec<Walls>,
+    pub(crate) bars: Vec<Bar>,
+}
+
+/// What stands beyond a threshold.
+#[derive(Debug, Clone)]
+pub(crate) struct Walls {
+    pub(crate) scene: SceneGraph,
+    /// The threshold, in the frame of that scene.
+    pub(crate) threshold: Point3<f32>,
+    /// The pose of its frame here.
+    pub(crate) pose: Pose,
+    /// The leaf of the threshold: it moves.
+    pub(crate) but: Option<NodeId>,
+}
+
+/// What is in the way on a threshold while it lets nothing through.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Bar {
+    pub(crate) id: NodeId,
+    pub(crate) pose: Pose,
+    pub(crate) size: Vector3<f32>,
+    pub(crate) shut: bool,
+}
+
+impl Around {
+    pub(super) fn put_into(&self, world: &mut PhysicsWorld) -> Result<(), PhysicsError> {
+        for Walls { scene, threshold, pose, but } in &self.walls {
+            let is_near = |node: &Node| node.aabb().is_some_and(|own| own.distance(threshold) < NEAR);
+            let lower = Pose::translation(0.0, 0.0, -SEAM) * pose;
+            world.surround(scene, |node| is_near(node) && Some(node.id()) != *but, &lower);
+        }
+        for Bar { id, pose, size, shut } in &self.bars {
+            world.bar(*id, *pose, *size)?;
+            world.set_barred(*id, *shut);
+        }
+        Ok(())
+    }
+}
