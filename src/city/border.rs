@@ -30,12 +30,13 @@ impl City {
 
     /// What stands around a region, as the regions beyond are made: what is fixed there never moves.
     pub(super) fn around(&self, region: RegionId) -> Around {
-        let walls = self.gates(region).filter_map(|(_, plan, _, across)| {
+        let walls = self.gates(region).filter_map(|(_, plan, side, across)| {
             Some(Walls {
                 // Of a region that cannot be made there is nothing.
                 scene: self.source.scene(across.region).ok()?,
                 threshold: Point3::from(across.pose.translation.vector),
                 pose: self.frame_at(across.region, plan)?.to(&self.frame_at(region, plan)?),
+                out: side.pose.rotation * Vector3::x(),
                 but: plan.leaf,
             })
         });

@@ -45,6 +45,8 @@ pub(super) enum Leg {
     Leaf(PortalId, Action),
     /// Out of the way of others.
     Aside(Point2<f32>),
+    /// A button is pushed that calls a lift, while one waits for it.
+    Press(Action),
     /// The action itself.
     Act(Action),
 }
@@ -66,13 +68,13 @@ impl Leg {
             Self::Approach(portal) | Self::Before(portal) | Self::Cross(portal) | Self::Leaf(portal, _) => {
                 Some(*portal)
             }
-            Self::Act(_) | Self::Aside(_) => None,
+            Self::Act(_) | Self::Press(_) | Self::Aside(_) => None,
         }
     }
 
     fn action_mut(&mut self) -> Option<&mut Action> {
         match self {
-            Self::Act(action) | Self::Leaf(_, action) => Some(action),
+            Self::Act(action) | Self::Press(action) | Self::Leaf(_, action) => Some(action),
             _ => None,
         }
     }
@@ -141,6 +143,12 @@ impl Journey {
             self.legs.push_front(Leg::Approach(portal));
         }
         self.legs.push_front(Leg::Aside(to));
+        self.stage = Stage::Waiting(now);
+    }
+
+    /// Pushes a button before it goes on.
+    pub(super) fn presses(&mut self, push: Action, now: Tick) {
+        self.legs.push_front(Leg::Press(push));
         self.stage = Stage::Waiting(now);
     }
 

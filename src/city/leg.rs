@@ -37,6 +37,7 @@ impl City {
                     self.clear_doorway(agent, &action, self.behind_door(agent, &action))?;
                     self.act(agent, action)
                 }
+                Some(Leg::Press(push)) => self.act(agent, push),
                 Some(Leg::Approach(portal)) => match self.approach(agent, portal)? {
                     None => {
                         self.leg_done(agent);
@@ -91,6 +92,11 @@ impl City {
         match journey.legs.front().copied() {
             // Others wait, or come past.
             Some(Leg::Aside(_)) => self.leg_done(agent),
+            // Somebody's elbow does it.
+            Some(Leg::Press(push)) => {
+                self.push_button(agent, push.object);
+                self.leg_done(agent);
+            }
             Some(Leg::Act(_) | Leg::Leaf(..)) if why.is_in_doorway() && journey.handles_again(later) => {}
             Some(Leg::Act(_) | Leg::Leaf(..)) => self.end_journey(agent, Err(why)),
             _ if why.may_pass() && journey.tries_again(later) => {}

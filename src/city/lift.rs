@@ -160,6 +160,11 @@ impl Lift {
         matches!(self.state, LiftState::Shut(_)) && self.calls.is_empty()
     }
 
+    /// Whether it is called to a stop.
+    pub(super) fn is_called_to(&self, stop: u32) -> bool {
+        self.calls.contains(&stop)
+    }
+
     pub(super) fn is_open_at(&self, stop: u32) -> bool {
         self.state == LiftState::Open(stop)
     }

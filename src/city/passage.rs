@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use vc_graph::clock::{Span, TICKS_PER_SECOND, Tick};
 use vc_graph::hash::Digester;
 use vc_graph::space::{Portal, PortalId, RegionId, Space};
-use vc_graph::{ChangeSet, NodeId, Pose};
+use vc_graph::{Action, ChangeSet, NodeId, Pose, Verb, rule};
 
 use super::journey::{Journey, Stage};
 use super::measures::FARTHEST;
@@ -120,10 +120,24 @@ impl City {
         let Some((_, lift)) = self.lifts.at(plan) else { return false };
         let was_full = self.journeys.get(&agent).is_some_and(Journey::has_tried);
         let (is_open, waits) = (lift.is_open_at(plan.stop), was_full && lift.is_leaving(plan.stop));
-        if !is_open && !waits {
-            self.lifts.call(plan);
+        if !is_open && !waits && !lift.is_called_to(plan.stop) {
+            self.call_lift(agent, plan);
         }
         is_open
+    }
+
+    /// Pushes the button of a lift, if there is one within reach and a hand is free; else it is called all the same.
+    fn call_lift(&mut self, agent: NodeId, plan: &Portal) {
+        let now = self.tick;
+        let pushes = self.environment_of(agent).and_then(|there| {
+            let button = plan.buttons.iter().find(|button| there.graph().node(**button).is_some())?;
+            let push = Action::one(Verb::Push, *button);
+            rule::refusals(there.graph(), agent, &push).is_empty().then_some(push)
+        });
+        match pushes.zip(self.journeys.get_mut(&agent)) {
+            Some((push, journey)) => journey.presses(push, now),
+            None => self.lifts.call(plan),
+        }
     }
 
     /// Opens or shuts the leaf of a portal.

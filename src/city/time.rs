@@ -250,7 +250,7 @@ impl City {
     }
 
     /// Calls the lift of a button.
-    fn push_button(&mut self, agent: NodeId, button: Option<NodeId>) {
+    pub(super) fn push_button(&mut self, agent: NodeId, button: Option<NodeId>) {
         let space = self.space().clone();
         let portal = self.region_of(agent).zip(button).and_then(|(region, button)| space.called_with(region, button));
         portal.into_iter().for_each(|portal| self.lifts.call(portal));

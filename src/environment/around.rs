@@ -1,16 +1,17 @@
 //! What stands around an environment: walls and floors of the regions beyond its doors.
 
-use nalgebra::{Point3, Vector3};
-use vc_graph::{Node, NodeId, Pose, SceneGraph};
+use nalgebra::{Point3, Translation3, Vector3};
+use vc_graph::{Node, NodeId, ObjectRole, Pose, SceneGraph};
 use vc_physics::{PhysicsError, PhysicsWorld};
 
 /// How far from a threshold what stands beyond it is in the way here, too, metres: a table whose middle is on the threshold
 /// is no longer.
 const NEAR: f32 = 2.0;
 
-/// How much lower it is than there, metres. Where two floors meet flush the engine brakes what rolls over the seam by a third and
-/// throws it up by 15 mm, as what rolls has sunk in by a millimetre and meets the edge of the second.
-const SEAM: f32 = 3e-3;
+/// How much lower floors are than there, and how far they reach under the own one, metres. Where two floors meet flush the engine
+/// brakes what rolls over the seam by a third and throws it up by 15 mm, as it foresees that it meets the edge of the second.
+const LOWER: f32 = 1e-3;
+const UNDER: f32 = 0.1;
 
 /// Fixed bodies of other scenes that are in the way here, too.
 #[derive(Debug, Clone, Default)]
@@ -27,6 +28,8 @@ pub(crate) struct Walls {
     pub(crate) threshold: Point3<f32>,
     /// The pose of its frame here.
     pub(crate) pose: Pose,
+    /// The direction here in which it is, of unit length.
+    pub(crate) out: Vector3<f32>,
     /// The leaf of the threshold: it moves.
     pub(crate) but: Option<NodeId>,
 }
@@ -42,10 +45,13 @@ pub(crate) struct Bar {
 
 impl Around {
     pub(super) fn put_into(&self, world: &mut PhysicsWorld) -> Result<(), PhysicsError> {
-        for Walls { scene, threshold, pose, but } in &self.walls {
+        for Walls { scene, threshold, pose, out, but } in &self.walls {
             let is_near = |node: &Node| node.aabb().is_some_and(|own| own.distance(threshold) < NEAR);
-            let lower = Pose::translation(0.0, 0.0, -SEAM) * pose;
-            world.surround(scene, |node| is_near(node) && Some(node.id()) != *but, &lower);
+            let is_floor = |node: &Node| node.role() == ObjectRole::Floor;
+            let under = Translation3::from(out * -UNDER - Vector3::z() * LOWER) * pose;
+            world.surround(scene, |node| is_near(node) && is_floor(node), &under);
+            let stands = |node: &Node| is_near(node) && !is_floor(node) && Some(node.id()) != *but;
+            world.surround(scene, stands, pose);
         }
         for Bar { id, pose, size, shut } in &self.bars {
             world.bar(*id, *pose, *size)?;

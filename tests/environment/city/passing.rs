@@ -2,7 +2,7 @@
 
 use virtualcity::graph::clock::Span;
 use virtualcity::graph::space::{PortalKind, RegionId};
-use virtualcity::graph::{Action, NodeId, Seed};
+use virtualcity::graph::{Action, NodeId, Seed, Verb};
 use virtualcity::nalgebra::{Point3, Vector3, distance};
 use virtualcity::procgen::Building;
 use virtualcity::{City, LiftState};
@@ -241,4 +241,22 @@ fn nobody_jumps_between_regions() {
         assert!(agents.iter().all(|agent| city.region_of(*agent) == Some(goal)));
     }
     assert!(crossings >= 16, "{crossings}");
+}
+
+/// A walk that leads by lift pushes the buttons outside and within, as bodies do.
+#[test]
+fn a_walk_by_lift_pushes_its_buttons() {
+    let building = Building::from_seed(Seed(7)).unwrap();
+    let (storeys, cabin) = (building.storeys().to_vec(), building.cabin());
+    let mut city = City::of(building).make().unwrap();
+    let me = city.agents().next().unwrap();
+    city.set_ways(me, |plan| plan.stairs.is_empty());
+    city.go(me, storeys[2].gallery).unwrap();
+    let pushed = |region: RegionId, button: NodeId| {
+        let there = city.peek(region).unwrap();
+        let pushes = there.history().events().iter().filter(|event| event.action == Action::one(Verb::Push, button));
+        pushes.count()
+    };
+    assert_eq!(pushed(storeys[0].gallery, storeys[0].call_button), 1);
+    assert_eq!(pushed(cabin, storeys[2].floor_button), 1);
 }
