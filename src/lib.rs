@@ -58,7 +58,7 @@
 //! |---|---|
 //! | [`Environment`] | make, reset, observation, render, set action; the clock (`give`, `step`, `interrupt`); save and restore |
 //! | [`EnvironmentBuilder`] | settings: bodies, gravity, hour, fields of view, classes, relations, durations, cameras, threads |
-//! | [`City`], [`RegionScenes`] | several environments joined by doors, stairs and lifts (begun): going between them, seeing through doors, goals with a scope, save and restore |
+//! | [`City`], [`RegionScenes`] | several environments joined by doors, stairs and lifts (begun): going between them, things that roll from one into the next, seeing through doors, goals with a scope, save and restore, records ([`CityRecord`]), validation |
 //! | [`Ending`], [`ActionError`], [`Interruption`], [`PhysicalRefusal`] | how an action ended, and why it was not done |
 //! | [`EnvironmentState`] | a home at rest in some kilobytes, for searches that keep many |
 //! | [`Control`] | velocity, head and hands of a body in every tick, beside actions |

@@ -1,4 +1,4 @@
-//! What is in the way of things at the borders of a region: walls and floors beyond its portals, and portals that are shut.
+//! Obstacles at the borders of a region: walls and floors beyond its portals, and portals that are shut.
 
 use nalgebra::{Point3, Vector3};
 use vc_graph::space::{Portal, PortalId, PortalKind, PortalSide, RegionFrame, RegionId};
@@ -28,11 +28,11 @@ impl City {
         plans.filter_map(move |(id, plan)| Some((id, plan, plan.side(region)?, plan.across(region)?)))
     }
 
-    /// What stands around a region, as the regions beyond are made: what is fixed there never moves.
+    /// The surroundings of a region, as the regions beyond are made: what is fixed there never moves.
     pub(super) fn around(&self, region: RegionId) -> Around {
         let walls = self.gates(region).filter_map(|(_, plan, side, across)| {
             Some(Walls {
-                // Of a region that cannot be made there is nothing.
+                // A region that cannot be made has nothing.
                 scene: self.source.scene(across.region).ok()?,
                 threshold: Point3::from(across.pose.translation.vector),
                 pose: self.frame_at(across.region, plan)?.to(&self.frame_at(region, plan)?),

@@ -51,7 +51,7 @@ impl Reference {
     /// The difference of a region at rest from how it is made: where things are, and nothing of the engine. One whose bodies
     /// cannot be built anew is kept with its engine.
     fn changes_at_rest(&self, environment: &Environment) -> Result<Changes, SaveError> {
-        let rest = environment.clone().to_rest();
+        let rest = environment.clone().save_rest();
         rest.map_or_else(|_| self.changes(environment), |bytes| Ok(self.differing(&bytes)))
     }
 
@@ -62,7 +62,7 @@ impl Reference {
     /// The region with what differs in it.
     pub(super) fn restored(&self, changes: &[u8]) -> Result<Environment, SaveError> {
         let bytes = delta::applied(&self.bytes, changes).ok_or(SaveError::Damaged)?;
-        if Environment::is_rest(&bytes) { self.made.from_rest(&bytes) } else { self.made.restore(&bytes) }
+        if Environment::is_rest(&bytes) { self.made.restore_rest(&bytes) } else { self.made.restore(&bytes) }
     }
 }
 

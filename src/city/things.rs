@@ -1,7 +1,7 @@
 //! Things that go through portals by themselves: that roll, fall, or are pushed from region to region.
 //!
 //! Each region has bodies of its own, and around it [stands](super::border) what is fixed beyond its portals. A thing goes
-//! over to the region beyond where its middle is. What moves together stays together until it rests or is a metre beyond: a
+//! over to the region beyond where its middle is. Things that move together stay together until they rest or are a metre beyond: a
 //! thing that is touched through a portal comes over to that which touches it, so that both are bodies of one world.
 
 use std::collections::BTreeSet;
@@ -158,7 +158,7 @@ impl City {
         };
         let met: BTreeSet<NodeId> = loose(beyond).filter(near).filter(is_met).map(|id| beyond.carrier(id)).collect();
         for thing in met {
-            // What cannot come over stays where it is.
+            // A thing that cannot come over stays where it is.
             let _ = self.carry_over(thing, (gate.into, gate.from), &back, None);
         }
         Some(gate.into)

@@ -23,7 +23,7 @@ pub enum CityViolation {
     Scene {
         /// The region.
         region: RegionLabel,
-        /// What is wrong in it.
+        /// The fault in it.
         violation: Violation,
     },
     /// A thing is outside its region, or has been stopped there.

@@ -1,4 +1,4 @@
-//! What stands around an environment: walls and floors of the regions beyond its doors.
+//! The surroundings of an environment: walls and floors of the regions beyond its doors.
 
 use nalgebra::{Point3, Translation3, Vector3};
 use vc_graph::{Node, NodeId, ObjectRole, Pose, SceneGraph};
@@ -20,7 +20,7 @@ pub(crate) struct Around {
     pub(crate) bars: Vec<Bar>,
 }
 
-/// What stands beyond a threshold.
+/// The scene beyond a threshold.
 #[derive(Debug, Clone)]
 pub(crate) struct Walls {
     pub(crate) scene: SceneGraph,
@@ -34,7 +34,7 @@ pub(crate) struct Walls {
     pub(crate) but: Option<NodeId>,
 }
 
-/// What is in the way on a threshold while it lets nothing through.
+/// A box that is in the way on a threshold while that lets nothing through.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Bar {
     pub(crate) id: NodeId,

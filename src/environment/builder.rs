@@ -65,7 +65,7 @@ pub(super) struct EnvironmentSettings {
     pub(super) tolerance: f32,
     /// Whether there may be nobody in it: agents come from elsewhere.
     pub(super) unpeopled: bool,
-    /// What stands around it.
+    /// The surroundings.
     pub(super) around: Arc<super::Around>,
     /// An hour that was asked for and is none.
     pub(super) no_hour: Option<f32>,

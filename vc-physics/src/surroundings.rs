@@ -1,4 +1,4 @@
-//! What stands around a world: fixed bodies of the worlds beside it, on which its things go on where it ends.
+//! The surroundings of a world: fixed bodies of the worlds beside it, on which its things go on where it ends.
 
 use nalgebra::Vector3;
 use rapier3d::dynamics::{RigidBody, RigidBodyBuilder, RigidBodyHandle};

@@ -30,9 +30,9 @@ pub(crate) enum RestFault {
 }
 
 impl Environment {
-    /// The state of this environment, which is at rest, as bytes for [`from_rest`](Self::from_rest). From then on it evolves
+    /// The state of this environment, which is at rest, as bytes for [`restore_rest`](Self::restore_rest). From then on it evolves
     /// as all that are read from them, as by [`save_state`](Self::save_state).
-    pub(crate) fn to_rest(&mut self) -> Result<Vec<u8>, RestFault> {
+    pub(crate) fn save_rest(&mut self) -> Result<Vec<u8>, RestFault> {
         let state = self.save_state()?;
         let told = told(&ChangeSet::between(&self.start.graph, &self.graph));
         let library = (self.graph.assets().clone(), self.graph.next_number());
@@ -53,7 +53,7 @@ impl Environment {
     }
 
     /// The environment that was written at rest; `self` has to have been made in the same way.
-    pub(crate) fn from_rest(&self, bytes: &[u8]) -> Result<Self, SaveError> {
+    pub(crate) fn restore_rest(&self, bytes: &[u8]) -> Result<Self, SaveError> {
         let parts: [&[u8]; 8] = parts::split(MAGIC, bytes)?.try_into().map_err(|_| SaveError::NotSaved)?;
         let [next, record, changes, others, shapes, history, clock, cameras] = parts;
         let text = |bytes| std::str::from_utf8(bytes).map_err(|_| SaveError::NotSaved);
