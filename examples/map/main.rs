@@ -71,7 +71,10 @@ fn part(text: &str) -> Result<[f64; 4], String> {
 
 fn main() -> Result<(), Complaint> {
     let arguments = Arguments::parse();
-    let (name, text) = text(arguments.file.as_deref())?;
+    let (name, text) = match arguments.grid {
+        Some(_) => ("grid".to_owned(), Vec::new()),
+        None => text(arguments.file.as_deref())?,
+    };
     let begun = Instant::now();
     let (map, account) = match arguments.grid {
         Some(count) => (grid(count)?, String::new()),
@@ -109,6 +112,7 @@ fn text(file: Option<&Path>) -> Result<(String, Vec<u8>), Complaint> {
 
 /// The map of a text, and the account of its import.
 fn read(name: &str, text: &[u8], side: Option<&str>) -> Result<(StreetMap, String), Complaint> {
+    let text = text.strip_prefix(b"\xef\xbb\xbf").unwrap_or(text);
     if text.trim_ascii_start().starts_with(b"{") {
         return Ok((native::read(std::str::from_utf8(text)?)?, String::new()));
     }

@@ -1,7 +1,7 @@
 //! Lines by the boxes around their parts, in a packed tree (Leutenegger and others, 1997), to find what is near a point.
 
 use std::cmp::Reverse;
-use std::collections::{BTreeMap, BinaryHeap};
+use std::collections::{BTreeMap, BTreeSet, BinaryHeap};
 use std::ops::Range;
 
 use crate::{Point, Polyline, Projection};
@@ -175,6 +175,19 @@ impl PointIndex {
 }
 
 impl PointIndex {
+    /// The lines that the straight way between two points crosses.
+    pub(crate) fn crossed<'a>(&self, way: [Point; 2], line: impl Fn(u32) -> &'a Polyline) -> BTreeSet<u32> {
+        let [from, to] = way;
+        let mut crossed = BTreeSet::new();
+        self.parts_around(&nalgebra::center(&from, &to), (to - from).norm() / 2.0, |part| {
+            if line(part.line).is_crossed_by(part.pieces(), way) {
+                crossed.insert(part.line);
+            }
+            f64::INFINITY
+        });
+        crossed
+    }
+
     /// Whether the straight way between two points crosses some lines.
     pub(crate) fn is_crossed<'a>(&self, way: [Point; 2], line: impl Fn(u32) -> Option<&'a Polyline>) -> bool {
         let [from, to] = way;

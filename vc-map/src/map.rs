@@ -188,6 +188,11 @@ impl StreetMap {
         near.into_iter().map(|(id, near)| (LaneId(id), near.left.abs()))
     }
 
+    /// The lanes whose middles a straight way crosses.
+    pub(crate) fn lanes_crossed(&self, way: [Point; 2]) -> impl Iterator<Item = LaneId> + use<> {
+        self.inner.lane_index.crossed(way, |id| &self.inner.lanes[id as usize].line).into_iter().map(LaneId)
+    }
+
     /// The pavements and paths that come within a distance of a point, metres, each with the station that is nearest.
     pub(crate) fn pavements_around(&self, point: &Point, within: f64) -> Vec<(WalkEdgeId, f64)> {
         let near = self.inner.walk_index.each(point, within, |id| &self.inner.walk_edges[id as usize].line);

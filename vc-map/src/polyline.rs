@@ -243,7 +243,7 @@ pub(crate) fn turn(from: Point, leaving: Vector2<f64>, to: Point, arriving: Vect
     let across = leaving.perp(&arriving);
     let gap = to - from;
     let reach = if across.abs() < 0.05 { -1.0 } else { gap.perp(&arriving) / across };
-    let left = if across.abs() < 0.05 { -1.0 } else { gap.perp(&leaving) / across };
+    let left = if across.abs() < 0.05 { -1.0 } else { leaving.perp(&gap) / across };
     let longest = 3.0 * gap.norm();
     if reach > 0.0 && left > 0.0 && reach < longest && left < longest {
         let corner = from + leaving * reach;

@@ -21,6 +21,7 @@ const LEAST: f64 = 0.5;
 const CROSSED: f64 = 2.5;
 /// The part of a road that a junction can take, and the least that is left of it, metres.
 const LARGEST_PART: f64 = 0.4;
+const PATHS_PART: f64 = 0.9;
 const LEFT: f64 = 0.01;
 
 pub(super) fn junctions(draft: &MapDraft, lines: &[Polyline]) -> Result<Vec<Junction>, MapError> {
@@ -95,7 +96,6 @@ pub(super) fn cuts(draft: &MapDraft, lines: &[Polyline], junctions: &[Junction])
         let street = |arm: &&Arm| draft.roads[arm.road.index()].class.is_street();
         let walked = junction.arms.iter().any(|arm| !street(&arm)) || crossed.contains(&JunctionId::of(id));
         for (index, arm) in junction.arms.iter().enumerate() {
-            let line = &lines[arm.road.index()];
             let round = junction.draft.control == Control::MiniRoundabout;
             let least = match street(&arm) {
                 true if round => roundabout::CUT,
@@ -103,11 +103,23 @@ pub(super) fn cuts(draft: &MapDraft, lines: &[Polyline], junctions: &[Junction])
                 _ => LEAST,
             };
             let cut = cut(draft, lines, junction, index).clamp(least, FARTHEST_CUT);
-            let most = (line.length() * LARGEST_PART).min((line.length() - LEFT) / 2.0).max(0.0);
-            cuts[arm.road.index()][usize::from(!arm.start)] = cut.min(most);
+            cuts[arm.road.index()][usize::from(!arm.start)] = cut;
         }
     }
-    cuts
+    let fitted =
+        |(index, cuts): (usize, [f64; 2])| fit(cuts, lines[index].length(), draft.roads[index].class.is_street());
+    cuts.into_iter().enumerate().map(fitted).collect()
+}
+
+/// The cuts of a road that leave something of it. A path may end close to a kerb, so that a crossing leads from kerb to kerb.
+fn fit(cuts: [f64; 2], length: f64, street: bool) -> [f64; 2] {
+    if street {
+        let most = (length * LARGEST_PART).min((length - LEFT) / 2.0).max(0.0);
+        return cuts.map(|cut| cut.min(most));
+    }
+    let most = (length * PATHS_PART).min(length - LEFT).max(0.0);
+    let all: f64 = cuts.iter().sum();
+    if all > most { cuts.map(|cut| cut * most / all) } else { cuts }
 }
 
 /// How far from its begin an arm meets none of the others any more: where its edge meets theirs.

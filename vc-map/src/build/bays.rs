@@ -73,22 +73,26 @@ impl Walls {
     /// free, or another not much further away.
     fn free(&self, map: &StreetMap, building: BuildingId, door: &Point, nearest: Place) -> Place {
         let at = |(edge, station): Place| map.walk_edge(edge).map(|edge| edge.line.at(station));
-        let is_free = |place: &Place| {
-            let Some(way) = at(*place).map(|at| at - door) else { return false };
+        let crosses = |place: &Place, all: bool| {
+            let Some(way) = at(*place).map(|at| at - door) else { return true };
             // A door lies on its wall.
             let begin = door + way.cap_magnitude(DOORSTEP);
-            !self.index.is_crossed([begin, door + way], |id| {
+            self.index.is_crossed([begin, door + way], |id| {
                 let (of, line) = &self.lines[id as usize];
-                (*of == building).then_some(line)
+                (all || *of == building).then_some(line)
             })
         };
-        if is_free(&nearest) {
+        if !crosses(&nearest, true) {
             return nearest;
         }
         let away = |place: &Place| at(*place).map_or(f64::INFINITY, |at| (at - door).norm());
         let others = map.pavements_around(door, 2.0 * away(&nearest) + AROUND);
-        let free = others.into_iter().filter(is_free);
-        free.min_by(|a, b| away(a).total_cmp(&away(b)).then(a.0.cmp(&b.0))).unwrap_or(nearest)
+        let first = |all: bool| {
+            let free = others.iter().filter(|place| !crosses(place, all));
+            free.min_by(|a, b| away(a).total_cmp(&away(b)).then(a.0.cmp(&b.0))).copied()
+        };
+        // Where houses stand all around, a way through none of them but its own is wanted least.
+        first(true).or_else(|| first(false)).unwrap_or(nearest)
     }
 }
 

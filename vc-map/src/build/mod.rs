@@ -94,7 +94,7 @@ fn inner(draft: MapDraft, budget: &mut Budget) -> Result<Inner, MapError> {
     arms::outlines(&mut junctions, &roads);
     budget.take("the junctions", &junctions)?;
     let mut movements = movements::movements(&draft, &mut junctions, &roads, &mut lanes, budget)?;
-    let mut walk = walk::network(&draft, &mut junctions, &roads, &lanes, budget)?;
+    let mut walk = walk::network(&draft, &mut junctions, (&roads, &lanes, &movements), budget)?;
     stop_lines::signs(&draft, &roads, &mut lanes);
     stop_lines::stop_lines(&junctions, &walk.crossings, &roads, &mut lanes);
     conflicts::tables(&mut junctions, &movements, &walk.crossings, &lanes, budget)?;

@@ -134,7 +134,8 @@ pub(super) fn pavements(lane: &LaneTags<'_>, section: &mut CrossSection) -> [Opt
         }
     }
     let walked = section.strips().any(|(_, strip)| strip.kind == StripKind::Pavement);
-    if !walked && !separate && lane.users.has(Users::FOOT) && lane.class >= Tertiary {
+    let open = lane.class >= Tertiary || lane.tags.is("foot", "yes|designated|permissive");
+    if !walked && !separate && lane.users.has(Users::FOOT) && open {
         let strips = section.forward.iter_mut().chain(&mut section.backward);
         strips
             .filter(|strip| strip.kind == StripKind::Driving && strip.users.has(Users::CAR))

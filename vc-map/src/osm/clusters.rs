@@ -17,6 +17,8 @@ const DUAL: f64 = 24.0;
 pub(super) const CROSSING: f64 = 20.0;
 /// Nodes that together would have more movements than this are junctions each: one has 512 at most, and bicycles have their own.
 const MOST: usize = 400;
+/// A street passes at most so many rails between two nodes that are one junction.
+const MOST_RAILS: usize = 5;
 /// No cluster is wider, metres.
 const WIDEST: f64 = 48.0;
 
@@ -56,6 +58,7 @@ pub(super) fn clusters(network: &Network<'_>, apart: &BTreeSet<u32>) -> Clusters
         .filter(|(_, piece)| piece.first() != piece.last() && (piece.length < SAME || joins(network, piece, apart)))
         .map(|(_, piece)| (piece.length, piece.first(), piece.last()))
         .collect();
+    links.extend(over_rails(network));
     links.sort_by(|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
     for (_, one, other) in links {
         let (one, other) = (sets.find_mut(position(one)), sets.find_mut(position(other)));
@@ -115,6 +118,43 @@ pub(super) fn degree(network: &Network<'_>, node: u32) -> usize {
     network.streets_at(node).filter(|(_, piece)| network.street(piece).class != RoadClass::Track).count()
 }
 
+/// The links of junctions between which a street only passes rails, as in the median of a dual carriageway: all pieces of a
+/// street between two junctions that would be one without the rails.
+fn over_rails(network: &Network<'_>) -> Vec<(f64, u32, u32)> {
+    let rails = |node: u32| {
+        let pieces = network.at.get(&node).into_iter().flatten().filter_map(|number| network.pieces[*number].as_ref());
+        pieces.into_iter().any(|piece| network.street(piece).class.is_rail())
+    };
+    let real = |node: u32| degree(network, node) > 2;
+    let passes = |node: u32| degree(network, node) == 2 && rails(node);
+    let mut links = Vec::new();
+    for first in network.at.keys().copied().filter(|node| real(*node)) {
+        for (number, piece) in network.streets_at(first) {
+            let (mut number, mut piece, mut node, mut length) = (number, piece, first, 0.0);
+            let mut nodes = vec![first];
+            while nodes.len() <= MOST_RAILS && network.is_ground(piece) && !network.street(piece).roundabout {
+                length += piece.length;
+                node = if piece.first() == node { piece.last() } else { piece.first() };
+                nodes.push(node);
+                if real(node) && nodes.len() > 2 && length < widest(network, first, node) {
+                    links.extend(nodes.windows(2).map(|pair| (length, pair[0].min(pair[1]), pair[0].max(pair[1]))));
+                }
+                let next = network.streets_at(node).find(|(other, _)| *other != number).filter(|_| passes(node));
+                let Some((onward, on)) = next else { break };
+                (number, piece) = (onward, on);
+            }
+        }
+    }
+    links
+}
+
+/// Two junctions nearer than this are one, metres.
+fn widest(network: &Network<'_>, one: u32, other: u32) -> f64 {
+    let one_way = network.streets_at(one).chain(network.streets_at(other)).any(|(_, p)| !network.drives(p, false));
+    let dual = one_way && (around_lights(network, one) || around_lights(network, other));
+    if dual { DUAL } else { NEAR }
+}
+
 /// Whether a piece of street lies within a junction.
 fn joins(network: &Network<'_>, piece: &Piece, apart: &BTreeSet<u32>) -> bool {
     let street = network.street(piece);
@@ -132,12 +172,7 @@ fn joins(network: &Network<'_>, piece: &Piece, apart: &BTreeSet<u32>) -> bool {
     }
     let crossing = |node: u32| marks(node).cuts() && !apart.contains(&node);
     match (real(one), real(other)) {
-        (true, true) => {
-            let one_way =
-                network.streets_at(one).chain(network.streets_at(other)).any(|(_, p)| !network.drives(p, false));
-            let dual = one_way && (around_lights(network, one) || around_lights(network, other));
-            piece.length < if dual { DUAL } else { NEAR }
-        }
+        (true, true) => piece.length < widest(network, one, other),
         (true, false) => crossing(other) && piece.length < CROSSING,
         (false, true) => crossing(one) && piece.length < CROSSING,
         (false, false) => crossing(one) && crossing(other) && piece.length < NEAR / 2.0 && lights(one) == lights(other),

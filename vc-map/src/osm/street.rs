@@ -195,6 +195,10 @@ pub(super) fn street(
         let lane = LaneTags { tags, element, class, slip, one_way, users, limits, side, reversed };
         street.section = lanes::section(&lane, report);
         street.guessed_pavements = super::beside::pavements(&lane, &mut street.section);
+        // Nobody walks around the island in the middle of a ring.
+        if roundabout && street.guessed_pavements[1].take().is_some() {
+            street.section.backward.retain(|strip| strip.kind != StripKind::Pavement);
+        }
         if is_closed_on_foot(tags) {
             let strips = street.section.forward.iter_mut().chain(&mut street.section.backward);
             strips.for_each(|strip| strip.users = strip.users.without(Users::FOOT));

@@ -58,14 +58,14 @@ fn corners(map: &StreetMap, drawing: &mut Drawing, on: impl Fn(i8) -> bool) {
 /// The width of the pavement or path that ends at a node, metres.
 fn width(map: &StreetMap, node: WalkNodeId) -> Option<f64> {
     let lane = |id: &WalkEdgeId| match map.walk_edge(*id)?.kind {
-        WalkKind::Lane(lane) => map.road(map.lane(lane)?.road),
+        WalkKind::Lane(lane) => map.lane(lane),
         _ => None,
     };
-    let road = map.walk_edges_at(node).iter().find_map(lane)?;
-    let walked = road.draft.section.strips().filter(|(_, strip)| strip.users.has(Users::FOOT));
+    let lane = map.walk_edges_at(node).iter().find_map(lane)?;
+    let section = &map.road(lane.road)?.draft.section;
     // Both directions of a path are one strip; each pavement is its own.
-    let widths = walked.map(|(_, strip)| strip.width);
-    Some(if road.draft.class.is_street() { widths.fold(CORNER, f64::min) } else { widths.sum() })
+    let walked = section.strips().filter(|(_, strip)| strip.users.has(Users::FOOT));
+    Some(if lane.kind == StripKind::Pavement { lane.width } else { walked.map(|(_, strip)| strip.width).sum() })
 }
 
 fn ring(points: &[[f64; 2]]) -> Vec<Point> {

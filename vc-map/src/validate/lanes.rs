@@ -4,15 +4,18 @@ use petgraph::algo::kosaraju_scc;
 use petgraph::graph::{DiGraph, NodeIndex};
 
 use super::MapViolation;
-use crate::{Control, LaneId, StreetMap, Users};
+use crate::{Control, LaneId, Movement, MovementId, StreetMap, Users};
 
 /// Lanes begin and end at most this far from the middle of their junction, metres: nodes that lie so far apart are one
 /// junction, and arms are cut back.
 const REACH: f64 = 75.0;
+/// Movements of less than this have no direction to speak of, metres.
+const SHORT: f64 = 0.5;
 
 pub(super) fn violations(map: &StreetMap) -> Vec<MapViolation> {
     let mut found: Vec<MapViolation> = gaps(map).collect();
     found.extend(dead(map));
+    found.extend(kinks(map));
     found.extend(cut_off(map));
     found
 }
@@ -27,6 +30,19 @@ fn gaps(map: &StreetMap) -> impl Iterator<Item = MapViolation> + '_ {
             (metres > REACH).then_some(MapViolation::Gap { junction, lane: LaneId::of(index), metres })
         })
     })
+}
+
+/// Movements that begin or end against the direction of their lanes.
+fn kinks(map: &StreetMap) -> impl Iterator<Item = MapViolation> + '_ {
+    let against = |movement: &Movement| {
+        let (Some(from), Some(to)) = (map.lane(movement.from), map.lane(movement.to)) else { return false };
+        let line = &movement.line;
+        let leaves = from.line.direction(from.line.length()).dot(&line.direction(0.0));
+        let arrives = line.direction(line.length()).dot(&to.line.direction(0.0));
+        line.length() > SHORT && leaves.min(arrives) < 0.0
+    };
+    let kinks = map.movements().iter().enumerate().filter(move |(_, movement)| against(movement));
+    kinks.map(|(index, _)| MapViolation::Kink { movement: MovementId::of(index) })
 }
 
 /// Lanes for cars and buses that end without a way on, other than at the edge of the map.

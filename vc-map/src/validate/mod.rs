@@ -5,6 +5,7 @@ mod lanes;
 mod places;
 mod roads;
 mod signals;
+mod text;
 mod violation;
 mod walk;
 

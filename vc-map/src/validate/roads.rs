@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::MapViolation;
-use crate::{Lane, LaneId, RoadId, StreetMap, StripKind, Users};
+use crate::{Lane, LaneId, Point, RoadId, StreetMap, StripKind, Users};
 
 /// A road's line begins this near to a junction that is one point, metres.
 const AT: f64 = 1.0;
@@ -31,6 +31,7 @@ pub(super) fn violations(map: &StreetMap) -> Vec<MapViolation> {
         }
     }
     found.extend(overlaps(map));
+    found.extend(crossings(map));
     found
 }
 
@@ -45,6 +46,28 @@ fn overlaps(map: &StreetMap) -> impl Iterator<Item = MapViolation> {
         }
     }
     pairs.into_iter().map(|(roads, metres)| MapViolation::Overlap { roads, metres })
+}
+
+/// Streets on one level that cross where they have no junction, once for each two.
+fn crossings(map: &StreetMap) -> impl Iterator<Item = MapViolation> {
+    let street = |id: &RoadId| map.road(*id).filter(|road| road.draft.class.is_street());
+    let mut found: BTreeMap<[RoadId; 2], Point> = BTreeMap::new();
+    for (id, road) in (0..map.roads().len()).map(RoadId::of).filter_map(|id| Some((id, street(&id)?))) {
+        let ends = [road.draft.from, road.draft.to];
+        let apart = |other: &crate::Road| {
+            let level = (other.draft.layer, other.draft.structure) == (road.draft.layer, road.draft.structure);
+            level && !ends.contains(&other.draft.from) && !ends.contains(&other.draft.to)
+        };
+        for piece in road.line.points().windows(2) {
+            for lane in map.lanes_crossed([piece[0], piece[1]]) {
+                let Some(lane) = map.lane(lane).filter(|lane| drives(lane) && lane.road > id) else { continue };
+                if street(&lane.road).is_some_and(apart) {
+                    found.entry([id, lane.road]).or_insert(nalgebra::center(&piece[0], &piece[1]));
+                }
+            }
+        }
+    }
+    found.into_iter().map(|(roads, at)| MapViolation::Crosses { roads, at })
 }
 
 fn drives(lane: &Lane) -> bool {

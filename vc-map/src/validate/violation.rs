@@ -1,9 +1,8 @@
-//! The kinds of violation, with their places and texts.
-
-use std::fmt;
+//! The kinds of violation, with their places.
 
 use crate::{
-    BuildingId, CrossingId, EntranceId, JunctionId, LaneId, Point, RoadId, SignalId, StreetMap, WalkEdgeId, WalkNodeId,
+    BuildingId, CrossingId, EntranceId, JunctionId, LaneId, MovementId, Point, RoadId, SignalId, StreetMap, WalkEdgeId,
+    WalkNodeId,
 };
 
 /// Something that is wrong with a map.
@@ -45,6 +44,11 @@ pub enum MapViolation {
         /// The distance of its end from the middle of the junction, metres.
         metres: f64,
     },
+    /// A movement begins or ends against the direction of its lanes.
+    Kink {
+        /// The movement.
+        movement: MovementId,
+    },
     /// A road's line begins or ends beside its junction, which is a single point.
     Aside {
         /// The road.
@@ -65,6 +69,13 @@ pub enum MapViolation {
         roads: [RoadId; 2],
         /// For so long, metres.
         metres: f64,
+    },
+    /// Streets on one level cross where they have no junction.
+    Crosses {
+        /// The roads.
+        roads: [RoadId; 2],
+        /// Where, metres.
+        at: Point,
     },
     /// Two movements, or a movement and a crossing, meet, and the conflict table lacks them.
     MissingConflict {
@@ -114,7 +125,7 @@ pub enum MapViolation {
         /// The length of its edges, metres.
         metres: f64,
     },
-    /// A pavement or corner leads over a lane for cars where there is no crossing.
+    /// A pavement or corner leads over a lane for cars, or over the way of those who come from it, where there is no crossing.
     WalkInLane {
         /// The edge of the walkable network.
         edge: WalkEdgeId,
@@ -152,7 +163,12 @@ pub enum MapViolation {
         /// The building.
         building: BuildingId,
     },
-    /// A building stands on lanes for cars.
+    /// A building has no height, or begins above its top.
+    NoHeight {
+        /// The building.
+        building: BuildingId,
+    },
+    /// A building stands on lanes for cars or on a pavement.
     OnStreet {
         /// The building.
         building: BuildingId,
@@ -180,6 +196,18 @@ pub enum MapViolation {
         /// The lane.
         lane: LaneId,
     },
+    /// The straight way from a door to its pavement leads through a building.
+    DoorWalledIn {
+        /// The door.
+        entrance: EntranceId,
+        /// The building.
+        building: BuildingId,
+    },
+    /// Nobody walks to a stop, and nothing stops there.
+    StopAway {
+        /// Its position among the stops.
+        stop: usize,
+    },
 }
 
 impl MapViolation {
@@ -189,9 +217,11 @@ impl MapViolation {
             Self::CutOff { .. } => "streets cut off",
             Self::DeadLane { .. } => "lane without a way on",
             Self::Gap { .. } => "lane far from its junction",
+            Self::Kink { .. } => "movement with a kink",
             Self::Aside { .. } => "road beside its junction",
             Self::Tangled { .. } => "road crosses itself",
             Self::Overlap { .. } => "streets on each other",
+            Self::Crosses { .. } => "streets cross without a junction",
             Self::MissingConflict { .. } => "conflict missing",
             Self::UnsafePhase { .. } => "unsafe phase",
             Self::ShortClearance { .. } => "clearance too short",
@@ -204,10 +234,13 @@ impl MapViolation {
             Self::NoCrossing { .. } => "no crossing at lights",
             Self::Unlit { .. } => "crossing and junction differ in lights",
             Self::Outline { .. } => "outline crosses itself",
+            Self::NoHeight { .. } => "building without height",
             Self::OnStreet { .. } => "building on a street",
             Self::DoorAway { .. } => "door away from its building",
             Self::DoorWithoutWay { .. } => "door without a way",
             Self::DoorInLane { .. } => "door in a lane",
+            Self::DoorWalledIn { .. } => "way to a door through a building",
+            Self::StopAway { .. } => "stop away from everything",
         }
     }
 
@@ -221,6 +254,9 @@ impl MapViolation {
         let building = |id: &BuildingId| map.building(*id).and_then(|b| b.outline.first()).map(|at| Point::from(*at));
         match self {
             Self::CutOff { lane: id, .. } | Self::DeadLane { lane: id } | Self::Gap { lane: id, .. } => lane(id),
+            Self::Crosses { at, .. } => Some(*at),
+            Self::StopAway { stop } => map.stops().get(*stop).map(|stop| stop.at),
+            Self::Kink { movement } => map.movement(*movement).map(|movement| movement.line.start()),
             Self::Tangled { road: id } | Self::Overlap { roads: [id, _], .. } => road(id),
             Self::Aside { junction: id, .. }
             | Self::MissingConflict { junction: id, .. }
@@ -230,64 +266,16 @@ impl MapViolation {
             }
             Self::WalkCutOff { node, .. } => map.walk_node(*node).map(|node| node.at),
             Self::WalkInLane { edge, .. } | Self::WalkGap { edge, .. } => walk(edge),
-            Self::Outline { building: id } | Self::OnStreet { building: id, .. } => building(id),
-            Self::DoorAway { entrance, .. } | Self::DoorWithoutWay { entrance } | Self::DoorInLane { entrance, .. } => {
-                door(entrance)
+            Self::Outline { building: id } | Self::NoHeight { building: id } | Self::OnStreet { building: id, .. } => {
+                building(id)
             }
+            Self::DoorAway { entrance, .. }
+            | Self::DoorWithoutWay { entrance }
+            | Self::DoorInLane { entrance, .. }
+            | Self::DoorWalledIn { entrance, .. } => door(entrance),
             Self::Unlit { crossing }
             | Self::ShortClearance { crossing, .. }
             | Self::CrossesNothing { crossing, .. } => map.crossing(*crossing).map(|crossing| crossing.line.start()),
-        }
-    }
-}
-
-impl fmt::Display for MapViolation {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::CutOff { lane, lanes } => {
-                write!(f, "{lane} and {} more are cut off from the main streets", lanes - 1)
-            }
-            Self::DeadLane { lane } => write!(f, "{lane} ends, and nothing goes on"),
-            Self::Gap { junction, lane, metres } => {
-                write!(f, "{lane} ends {metres:.0} m from the middle of {junction}")
-            }
-            Self::Aside { road, junction, metres } => {
-                write!(f, "the line of {road} begins or ends {metres:.0} m beside {junction}")
-            }
-            Self::Tangled { road } => write!(f, "the line of {road} crosses itself"),
-            Self::Overlap { roads: [one, other], metres } => {
-                write!(f, "{one} and {other} lie on each other for {metres:.0} m, on one level")
-            }
-            Self::MissingConflict { junction, pair } => {
-                write!(f, "{} and {} of {junction} meet, and its table lacks them", pair.0, pair.1)
-            }
-            Self::UnsafePhase { signal, phase, pair } => {
-                write!(f, "phase {phase} of {signal} lets {} and {} go, which conflict", pair.0, pair.1)
-            }
-            Self::ShortClearance { signal, phase, crossing, seconds } => {
-                write!(f, "people on {crossing} have {seconds:.1} s to end after phase {phase} of {signal}, too few")
-            }
-            Self::NeverGreen { signal, row } => write!(f, "{row} of {signal} never gets green"),
-            Self::NeverRed { signal } => write!(f, "no vehicle ever stops at {signal}: it guards nothing"),
-            Self::WalkInLane { edge, lane } => write!(f, "{edge} leads over {lane} without a crossing"),
-            Self::WalkGap { edge, metres } => write!(f, "{edge} begins or ends {metres:.1} m from its nodes"),
-            Self::CrossesNothing { crossing, road } => write!(f, "{crossing} lies beside {road}, which it is to cross"),
-            Self::WalkCutOff { node, nodes, metres } => {
-                write!(f, "{node} and {} more, {metres:.0} m, are cut off from the pavements", nodes - 1)
-            }
-            Self::NoCrossing { junction, road } => write!(f, "{junction} has lights and no crossing over {road}"),
-            Self::Unlit { crossing } => {
-                write!(f, "either {crossing} or its junction has no lights, and the other does")
-            }
-            Self::Outline { building } => write!(f, "the outline of {building} crosses itself, or encloses nothing"),
-            Self::OnStreet { building, road, metres } => {
-                write!(f, "{building} stands on {road} for {metres:.0} m")
-            }
-            Self::DoorAway { entrance, metres } => {
-                write!(f, "{entrance} is {metres:.0} m from the walls of its building")
-            }
-            Self::DoorWithoutWay { entrance } => write!(f, "no pavement or path lies within 200 m of {entrance}"),
-            Self::DoorInLane { entrance, lane } => write!(f, "{entrance} opens onto {lane}"),
         }
     }
 }

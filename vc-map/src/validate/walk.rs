@@ -4,8 +4,8 @@ use petgraph::unionfind::UnionFind;
 
 use super::MapViolation;
 use crate::{
-    Control, CrossingId, CrossingKind, JunctionId, LaneId, Point, RoadClass, RoadCrossing, RoadId, StreetMap,
-    StripKind, Users, WalkEdge, WalkEdgeId, WalkKind, WalkNodeId,
+    Control, CrossingId, CrossingKind, JunctionId, LaneId, Movement, Point, RoadClass, RoadCrossing, RoadId, StreetMap,
+    StripKind, Turn, Users, WalkEdge, WalkEdgeId, WalkKind, WalkNodeId,
 };
 
 /// Ends of edges are this near to their nodes, metres; edges between nodes at one place have a centimetre.
@@ -49,7 +49,7 @@ fn gap(map: &StreetMap, edge: &WalkEdge) -> f64 {
     away(edge.ends[0], edge.line.start()).max(away(edge.ends[1], edge.line.end()))
 }
 
-/// A lane for cars over which a pavement or corner leads. Those who walk in a street without pavements come from its middle.
+/// A lane for cars over which a pavement or corner leads, or from which cars drive over a corner. Those who walk in a street without pavements come from its middle.
 fn in_lane(map: &StreetMap, edge: &WalkEdge) -> Option<LaneId> {
     let shared = |node: &WalkNodeId| {
         let edges = map.walk_edges_at(*node).iter().filter_map(|id| map.walk_edge(*id));
@@ -66,6 +66,18 @@ fn in_lane(map: &StreetMap, edge: &WalkEdge) -> Option<LaneId> {
         }
         _ => return None,
     };
+    if let WalkKind::Corner(id) = edge.kind {
+        // One goes around the middle of a small roundabout, close by its corners.
+        let junction = map.junction(id).filter(|junction| junction.draft.control != Control::MiniRoundabout);
+        let movements =
+            junction.into_iter().flat_map(|junction| &junction.movements).filter_map(|id| map.movement(*id));
+        // Those who turn back at a dead end go round before those who walk around it.
+        let drives = |movement: &&Movement| movement.users.has(Users::CAR) && movement.turn != Turn::Back;
+        let mut over = movements.filter(drives).filter(|movement| movement.line.crosses(&edge.line));
+        if let Some(movement) = over.next() {
+            return Some(movement.from);
+        }
+    }
     let [low, high] = edge.line.bounds();
     let around = map.lanes_around(&nalgebra::center(&low, &high), (high - low).norm() / 2.0);
     let mut over = around.filter(|(id, _)| {

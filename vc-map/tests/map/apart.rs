@@ -72,6 +72,62 @@ fn a_pavement_that_is_said_to_be_mapped_apart_and_is_not_is_guessed() {
 }
 
 #[test]
+fn a_crossing_that_is_a_way_leads_from_kerb_to_kerb() {
+    for (lanes, metres) in [(2, 5.5), (4, 12.0)] {
+        let street = format!("highway=secondary lanes={lanes} width={metres} sidewalk=separate");
+        let nodes = [
+            (1, -1.0, 0.0, ""),
+            (2, 0.0, 0.0, "highway=crossing crossing=traffic_signals"),
+            (3, 1.0, 0.0, ""),
+            (4, -1.0, 0.09, ""),
+            (5, 0.0, 0.09, ""),
+            (6, 1.0, 0.09, ""),
+            (7, -1.0, -0.09, ""),
+            (8, 0.0, -0.09, ""),
+            (9, 1.0, -0.09, ""),
+        ];
+        let ways: [(i64, &[i64], &str); 4] = [
+            (20, &[1, 2, 3], &street),
+            (21, &[4, 5, 6], "highway=footway footway=sidewalk"),
+            (22, &[7, 8, 9], "highway=footway footway=sidewalk"),
+            (23, &[5, 2, 8], "highway=footway footway=crossing crossing=traffic_signals"),
+        ];
+        let (map, _) = import(&file(&nodes, &ways, ""));
+        let [crossing] = map.crossings() else { panic!("{:?}", map.crossings()) };
+        let width = map.road(crossing.roads[0]).unwrap().draft.section.surface();
+        assert!((crossing.line.length() - width).abs() < 0.3, "{} {width}", crossing.line.length());
+        assert!(map.validate().iter().all(|v| v.kind() == "streets cut off"), "{:?}", map.validate());
+    }
+}
+
+#[test]
+fn rails_in_the_median_part_no_junction() {
+    // A dual carriageway 14 m wide with two tracks between, and a street across it; lights on both nodes.
+    let lights = "highway=traffic_signals";
+    let lines = [0.07, 0.015, -0.015, -0.07];
+    let nodes: Vec<(i64, f64, f64, &str)> = (1..)
+        .zip(lines)
+        .flat_map(|(row, y): (i64, f64)| {
+            let mark = if y.abs() > 0.05 { lights } else { "" };
+            [(10 * row, -1.0, y, ""), (10 * row + 1, 0.0, y, mark), (10 * row + 2, 1.0, y, "")]
+        })
+        .chain([(1, 0.0, 1.0, ""), (2, 0.0, -1.0, "")])
+        .collect();
+    let ways: [(i64, &[i64], &str); 5] = [
+        (20, &[12, 11, 10], "highway=primary oneway=yes sidewalk=right"),
+        (21, &[20, 21, 22], "railway=tram"),
+        (22, &[30, 31, 32], "railway=tram"),
+        (23, &[40, 41, 42], "highway=primary oneway=yes sidewalk=right"),
+        (24, &[1, 11, 21, 31, 41, 2], "highway=tertiary"),
+    ];
+    let (map, _) = import(&file(&nodes, &ways, ""));
+    assert_eq!(map.signals().len(), 1);
+    let wide = map.crossings().iter().filter(|crossing| crossing.roads.len() == 4).count();
+    let lit = map.crossings().iter().filter(|crossing| crossing.kind == CrossingKind::Signals).count();
+    assert_eq!((lit, wide), (4, 2), "{:?}", map.crossings());
+}
+
+#[test]
 fn rails_in_a_street_are_crossed_with_it() {
     let nodes = [(1, -1.0, 0.0, ""), (2, 0.0, 0.0, ""), (3, 1.0, 0.0, ""), (4, 0.0, 1.0, ""), (5, 0.0, -1.0, "")];
     let rails = [(6, -1.0, 0.01, ""), (8, 1.0, 0.01, "")];

@@ -101,6 +101,35 @@ fn buildings_and_doors_where_none_can_be_are_told() {
 }
 
 #[test]
+fn streets_that_cross_without_a_junction_heights_and_stops_are_told() {
+    let over = |draft: &mut MapDraft, layer: i8| {
+        let ends = [[-300.0, 3000.0], [300.0, 3000.0], [0.0, 2700.0], [0.0, 3300.0]];
+        let ends = ends.map(|at| draft.junction(at, Control::Edge));
+        let section = CrossSection { forward: vec![Strip::driving(3.0, 10.0)], ..CrossSection::default() };
+        draft.road(ends[0], ends[1], RoadClass::Minor, section.clone());
+        let above = draft.road(ends[2], ends[3], RoadClass::Minor, section);
+        draft.roads[above.index()].layer = layer;
+    };
+    assert_eq!(wrong(|draft| over(draft, 0)), ["streets cross without a junction"]);
+    assert_eq!(wrong(|draft| over(draft, 1)), [""; 0]);
+    assert_eq!(wrong(|draft| draft.buildings[3].base = draft.buildings[3].height + 1.0), ["building without height"]);
+    assert_eq!(wrong(|draft| draft.stops[0].at[0] += 5000.0), ["stop away from everything"]);
+}
+
+#[test]
+fn a_door_that_is_walled_in_is_told() {
+    let walled = |draft: &mut MapDraft| {
+        let at = nalgebra::Point2::from(draft.entrances[0].at);
+        for [dx, dy] in [[30.0, 0.0], [-30.0, 0.0], [0.0, 30.0], [0.0, -30.0]] {
+            let around = [[-40.0, -40.0], [40.0, -40.0], [40.0, 40.0], [-40.0, 40.0]];
+            let ring = around.map(|[x, y]| [at.x + dx * 1.4 + x * 0.9, at.y + dy * 1.4 + y * 0.9]);
+            draft.buildings.push(Building::new(ring.to_vec(), 2));
+        }
+    };
+    assert!(wrong(walled).contains(&"way to a door through a building"));
+}
+
+#[test]
 fn lights_that_stop_nobody_are_told() {
     let mut draft = MapDraft::new("lights", 48.0, 11.0);
     let ends = [[-100.0, 0.0], [0.0, 0.0], [100.0, 0.0]].map(|at| draft.junction(at, Control::Edge));

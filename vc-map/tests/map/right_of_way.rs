@@ -83,6 +83,11 @@ proptest! {
         let movement = |row: usize| map.movement(junction.movements[row]).unwrap();
         for (a, b) in junction.conflicts.pairs().filter(|(_, b)| *b < junction.movements.len()) {
             let (one, other) = (movement(a), movement(b));
+            for movement in [one, other] {
+                let lane = map.lane(movement.from).unwrap();
+                let begins = lane.line.direction(lane.line.length()).dot(&movement.line.direction(0.0));
+                prop_assert!(begins > 0.7 || movement.turn == Turn::Back || movement.line.length() < 1.0, "a kink");
+            }
             let yields = [one.yields.contains(&(b as u32)), other.yields.contains(&(a as u32))];
             prop_assert!(yields[0] != yields[1], "{:?} {:?}", one.turn, other.turn);
             let turns_back = one.turn == Turn::Back || other.turn == Turn::Back;

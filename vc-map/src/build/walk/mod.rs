@@ -5,11 +5,12 @@ mod round;
 use std::collections::{BTreeMap, BTreeSet};
 
 use nalgebra::Vector2;
+use petgraph::unionfind::UnionFind;
 
 use self::round::Pair;
 use super::budget::Budget;
 use super::crossing_rule::CrossingRule;
-use crate::parts::{Arm, Junction, Lane, Road, RoadCrossing, WalkEdge, WalkKind, WalkNode};
+use crate::parts::{Arm, Junction, Lane, Movement, Road, RoadCrossing, WalkEdge, WalkKind, WalkNode};
 use crate::{
     CrossingId, CrossingKind, JunctionId, LaneId, MapDraft, MapError, Point, Polyline, RoadClass, RoadId, StripKind,
     Users, WalkNodeId,
@@ -20,6 +21,8 @@ const WIDTHS: [f64; 2] = [4.0, 3.0];
 /// A crossing begins this far from the junction, metres, and takes at most this part of a pavement.
 const BEHIND: f64 = 1.0;
 const LARGEST_PART: f64 = 0.4;
+/// Nobody crosses without marks nearer than this to another crossing of the same road, metres.
+const TWIN: f64 = 8.0;
 
 pub(super) struct Network {
     pub(super) nodes: Vec<WalkNode>,
@@ -39,13 +42,13 @@ impl Network {
 pub(super) fn network(
     draft: &MapDraft,
     junctions: &mut [Junction],
-    roads: &[Road],
-    lanes: &[Lane],
+    (roads, lanes, movements): (&[Road], &[Lane], &[Movement]),
     budget: &mut Budget,
 ) -> Result<Network, MapError> {
     let net = Network { nodes: Vec::new(), edges: Vec::new(), crossings: Vec::new() };
     let rule = CrossingRule::new(draft);
-    let mut walk = Walk { draft, roads, lanes, net, feet: Vec::new(), rule };
+    let mut walk =
+        Walk { draft, roads, lanes, movements, unmarked: Vec::new(), through: Vec::new(), net, feet: Vec::new(), rule };
     for (index, junction) in junctions.iter_mut().enumerate() {
         let (id, edges, crossings) = (JunctionId::of(index), walk.net.edges.len(), walk.net.crossings.len());
         walk.junction(id, junction);
@@ -53,7 +56,13 @@ pub(super) fn network(
         budget.take(id, &walk.net.crossings[crossings..])?;
         budget.take_bytes(id, junction.crossings.capacity() * size_of::<CrossingId>())?;
     }
+    let before = walk.net.crossings.len();
+    walk.unmarked(junctions);
+    budget.take("crossings without marks", &walk.net.crossings[before..])?;
     walk.along_roads(budget)?;
+    let before = walk.net.edges.len();
+    walk.through();
+    budget.take("the walkable network", &walk.net.edges[before..])?;
     // The lists of edges at nodes, which have room for four when they begin.
     let lists = walk.net.nodes.len() * (size_of::<Vec<u32>>() + 16) + walk.net.edges.len() * 16;
     budget.take("the walkable network", &walk.net.nodes)?;
@@ -84,6 +93,11 @@ struct Walk<'a> {
     draft: &'a MapDraft,
     roads: &'a [Road],
     lanes: &'a [Lane],
+    movements: &'a [Movement],
+    /// Guessed crossings without marks, with their widths, metres.
+    unmarked: Vec<(JunctionId, Pair, f64)>,
+    /// Corners that lead through junctions of several nodes, among those who drive there.
+    through: Vec<([WalkNodeId; 2], JunctionId, [Point; 4])>,
     net: Network,
     /// The places of the nodes.
     feet: Vec<Foot>,
@@ -109,7 +123,8 @@ impl Walk<'_> {
             let known = self.rule.given(&at, &pair.over).or_else(|| through.take());
             // Around a dead end one walks along its edge.
             let first = chosen.is_empty();
-            let guessed = || (!round.contains(&ends(&pair))).then(|| self.rule.guess(&at, &pair.over, first)).flatten();
+            let guess = !round.contains(&ends(&pair)) && self.leads_across(junction, &pair);
+            let guessed = || guess.then(|| self.rule.guess(&at, &pair.over, first)).flatten();
             if let Some((kind, island)) = known.or_else(guessed) {
                 let width = self.ramps(&pair);
                 chosen.push((pair, width, (kind, island, known.is_none())));
@@ -117,13 +132,61 @@ impl Walk<'_> {
         }
         // A ramp may be one of two crossings: their lines lead from where it stands in the end.
         for (pair, width, kind) in chosen {
-            self.cross(id, junction, pair, width, kind);
+            // Where people cross without marks they would not beside a crossing of the next junction.
+            if kind == (CrossingKind::Unmarked, false, true) {
+                self.unmarked.push((id, pair, width));
+            } else {
+                self.cross(id, junction, pair, width, kind);
+            }
         }
         let mut joined = BTreeSet::new();
         for corner in corners.iter().filter(|pair| joined.insert(ends(pair))) {
             let [from, to] = corner.ends.map(|node| (self.net.nodes[node.index()].at, self.feet[node.index()].end));
-            self.link(corner.ends, WalkKind::Corner(id), [from.0, from.1, to.1, to.0]);
+            let points = [from.0, from.1, to.1, to.0];
+            if self.is_wide(junction) && self.is_driven_over(junction, &points) {
+                self.through.push((corner.ends, id, points));
+            } else {
+                self.link(corner.ends, WalkKind::Corner(id), points);
+            }
         }
+    }
+
+    /// Adds the crossings without marks that have no other beside them.
+    fn unmarked(&mut self, junctions: &mut [Junction]) {
+        let mut over: BTreeMap<RoadId, Vec<Point>> = BTreeMap::new();
+        let middle = |line: &Polyline| line.at(line.length() / 2.0);
+        for crossing in &self.net.crossings {
+            crossing.roads.iter().for_each(|road| over.entry(*road).or_default().push(middle(&crossing.line)));
+        }
+        for (id, pair, width) in std::mem::take(&mut self.unmarked) {
+            let [from, to] = pair.ends.map(|ramp| self.net.nodes[ramp.index()].at);
+            let here = nalgebra::center(&from, &to);
+            let beside =
+                |road: &RoadId| over.get(road).is_some_and(|all| all.iter().any(|at| (at - here).norm() < TWIN));
+            if !pair.over.iter().any(beside) {
+                pair.over.iter().for_each(|road| over.entry(*road).or_default().push(here));
+                self.cross(id, &mut junctions[id.index()], pair, width, (CrossingKind::Unmarked, false, true));
+            }
+        }
+    }
+
+    /// Adds those corners through junctions without which nobody would come from one of their ends to the other: pavements that
+    /// are mapped apart mostly lead around.
+    fn through(&mut self) {
+        let mut parts = UnionFind::<usize>::new(self.net.nodes.len());
+        self.net.edges.iter().for_each(|edge| _ = parts.union(edge.ends[0].index(), edge.ends[1].index()));
+        for (ends, id, points) in std::mem::take(&mut self.through) {
+            if parts.union(ends[0].index(), ends[1].index()) {
+                self.link(ends, WalkKind::Corner(id), points);
+            }
+        }
+    }
+
+    /// Whether cars drive over a way at a junction.
+    fn is_driven_over(&self, junction: &Junction, way: &[Point]) -> bool {
+        let movements = junction.movements.iter().map(|id| &self.movements[id.index()]);
+        let mut cars = movements.filter(|movement| movement.users.has(Users::CAR));
+        Polyline::new(way.iter().copied()).is_some_and(|way| cars.any(|movement| movement.line.crosses(&way)))
     }
 
     fn pavement(&self, road: RoadId, forward: bool) -> Option<LaneId> {

@@ -14,6 +14,11 @@ const OUTSIDE: f64 = 6.0;
 const BESIDE: f64 = 1.5;
 const INSIDE: f64 = 0.5;
 const REACH: f64 = 60.0;
+/// A guessed crossing leads across its roads: the cosine of its angle to them is at most this, for 45 degrees, and it is at most
+/// so many times as long as they are wide, and so much longer, metres.
+const ALONG: f64 = 0.71;
+const LONGER: f64 = 1.5;
+const LONGER_BY: f64 = 4.0;
 /// Arms lie on each other if they leave in nearly one direction: its cosine, for 17 degrees.
 const NEARLY: f64 = 0.955;
 const STEPS: u32 = 64;
@@ -53,13 +58,28 @@ impl Walk<'_> {
         corner || !pair.over.is_empty()
     }
 
+    /// Whether a way leads across its roads rather than along them, and is not much longer than they are wide.
+    pub(super) fn leads_across(&self, junction: &Junction, pair: &Pair) -> bool {
+        let [from, to] = pair.ends.map(|node| self.net.nodes[node.index()].at);
+        let way = to - from;
+        let crossed = || junction.arms.iter().filter(|arm| pair.over.contains(&arm.road));
+        let begins: Vec<Point> = crossed().map(|arm| self.begin(arm)).collect();
+        let apart = begins.iter().flat_map(|a| begins.iter().map(move |b| (a - b).norm())).fold(0.0, f64::max);
+        let width: f64 = crossed().map(|arm| self.roads[arm.road.index()].draft.section.width()).sum();
+        let mean: Vector2<f64> = crossed().map(|arm| arm.away).sum();
+        let along = way.dot(&mean.try_normalize(0.1).unwrap_or_else(Vector2::zeros)).abs();
+        along <= way.norm() * ALONG && way.norm() <= LONGER * (width + apart) + LONGER_BY
+    }
+
+    /// The point at which the line of an arm begins.
+    fn begin(&self, arm: &Arm) -> Point {
+        let line = &self.roads[arm.road.index()].line;
+        if arm.start { line.start() } else { line.end() }
+    }
+
     /// Whether the roads of a junction begin at several points.
-    fn is_wide(&self, junction: &Junction) -> bool {
-        let begin = |arm: &Arm| {
-            let line = &self.roads[arm.road.index()].line;
-            if arm.start { line.start() } else { line.end() }
-        };
-        junction.arms.iter().any(|arm| (begin(arm) - junction.at).norm() > 1.0)
+    pub(super) fn is_wide(&self, junction: &Junction) -> bool {
+        junction.arms.iter().any(|arm| (self.begin(arm) - junction.at).norm() > 1.0)
     }
 
     /// Whether a road has a carriageway on which people do not walk.
