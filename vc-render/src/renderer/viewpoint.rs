@@ -1,7 +1,7 @@
 //! Viewpoints that show a room well.
 
 use nalgebra::Point3;
-use vc_graph::{Anthropometry, NodeId, ObjectRole};
+use vc_graph::{ClassTable, NodeId, ObjectRole};
 
 use super::Renderer;
 use crate::RenderError;
@@ -12,9 +12,11 @@ use crate::modality::{Modality, NOTHING};
 use crate::scene::{Instance, Snapshot};
 use crate::shot::Shot;
 
-/// Height of the camera, and of the point it looks at, above the floor, metres.
-const EYE: f32 = Anthropometry::ADULT.view;
-const TARGET: f32 = 0.95;
+/// Height of the camera above the floor, metres: that of photographs of rooms, in which uprights stay upright as the camera
+/// is level and its principal point moves instead.
+const EYE: f32 = 1.3;
+/// Where the horizon may lie, as parts of the picture's height from the top.
+const HORIZONS: [f32; 4] = [0.42, 0.28, 0.16, 0.04];
 /// Distance that the camera keeps from the walls, metres.
 const OFF: f32 = 0.3;
 /// Distance to keep from the boxes of things, metres, and the score of places that are nearer than this.
@@ -33,17 +35,26 @@ const PLACES: usize = 5;
 /// score of things.
 const WINDOWS: f32 = 0.03;
 const DAYLIGHT: f32 = 0.7;
+/// The part of a picture that a piece of furniture should fill, and the factor by which what they fill adds to a score: most of all that
+/// which tells the purpose of a room.
+const SHOWN: f32 = 0.08;
+const FURNISHED: f32 = 30.0;
+const PURPOSE: f32 = 110.0;
+const PURPOSES: [&str; 10] =
+    ["bed", "sofa", "dining_table", "desk", "stove", "sink", "toilet", "bathtub", "shower", "television"];
 /// Longer side of the pictures in which candidates are compared, pixels.
 const SIDE: f32 = 80.0;
 
 impl Renderer {
-    /// Finds a camera pose in a room that shows most of it. The candidates are places in the room's corners and
-    /// along its walls, at eye height, looking past the middle of the room or along a wall. The best one sees
-    /// most things of the room, is far from what it sees, has a window in view, and has little in view that
-    /// stands close before it, fills much of the picture from nearby, or belongs to other rooms. It is inside a
-    /// thing's box only where there is no other place. All but the pose is taken from `camera`.
+    /// Finds a camera in a room that shows most of it, as a photograph does: level, 1.3 m above the floor, with the principal
+    /// point above the middle of the picture, so that uprights stay upright and the floor is seen. The candidates are places in the
+    /// room's corners and along its walls, looking past the middle of the room or along a wall. The best one sees
+    /// most things of the room and its furniture at a good size, is far from what it sees, has a window in view, and has little in
+    /// view that stands close before it, fills much of the picture from nearby, or belongs to other rooms. It is inside a
+    /// thing's box only where there is no other place. All but the pose and the height of the principal point is taken from
+    /// `camera`.
     ///
-    /// The room must have a box in the graph. The search costs 64 renderings of ids and depth, 80 pixels
+    /// The room must have a box in the graph. The search costs 256 renderings of ids and depth, 80 pixels
     /// across.
     ///
     /// # Errors
@@ -77,8 +88,9 @@ impl Renderer {
         let mut best: Option<(f32, Camera)> = None;
         for eye in eyes(&around.min, &around.max) {
             let place = if is_free(snapshot, eye) { 0.0 } else { WITHIN };
-            for at in targets(eye, around.centre()) {
-                let view = small.looking(eye, Point3::new(at[0], at[1], around.min.z + TARGET));
+            let views = targets(eye, around.centre()).into_iter().flat_map(|at| HORIZONS.map(|horizon| (at, horizon)));
+            for (at, horizon) in views {
+                let view = level(&small, eye, at, horizon);
                 self.render(&Shot::new(snapshot, &view, Modality::Instance | Modality::Depth), &mut frame)?;
                 let score = place + score(snapshot, number as u16, &frame);
                 if best.is_none_or(|b| score > b.0) {
@@ -86,8 +98,18 @@ impl Renderer {
                 }
             }
         }
-        best.map(|(_, view)| Camera { pose: view.pose, ..*camera }).ok_or(RenderError::NoRoom(room))
+        let full = |view: Camera| {
+            let down = view.centre.1 * camera.height as f32 / view.height as f32;
+            Camera { pose: view.pose, centre: (camera.centre.0, down), ..*camera }
+        };
+        best.map(|(_, view)| full(view)).ok_or(RenderError::NoRoom(room))
     }
+}
+
+/// A camera that looks level from a place towards a point of the plan, with its horizon at a part of the picture's height.
+fn level(camera: &Camera, eye: Point3<f32>, at: [f32; 2], horizon: f32) -> Camera {
+    let view = camera.looking(eye, Point3::new(at[0], at[1], eye.z));
+    Camera { centre: (view.centre.0, horizon * view.height as f32), ..view }
 }
 
 /// The same view at a low resolution.
@@ -145,17 +167,32 @@ fn score(snapshot: &Snapshot, room: u16, frame: &Frame) -> f32 {
     let windows = seen.iter().filter(is_window).count() as f32 / pixels;
     let daylight = 1.0 + DAYLIGHT * (windows / WINDOWS).min(1.0);
     seen.sort_unstable();
+    let shown: f32 =
+        seen.chunk_by(|a, b| a == b).map(|same| purpose(snapshot, same[0], same.len() as f32 / pixels)).sum();
     seen.dedup();
     // At the sides of the picture walls are near where rooms are narrow, but they hide nothing there.
     let middle = frame.width / 4..frame.width - frame.width / 4;
     let ahead = || frame.depth.chunks(frame.width).flat_map(|row| &row[middle.clone()]);
     let nearer = |than: f32| ahead().filter(|d| **d < than).count() as f32 / ahead().count().max(1) as f32;
     let far = 1.0 - nearer(FAR);
-    seen.len() as f32 * daylight + 12.0 * far
+    seen.len() as f32 * daylight + 12.0 * far + shown
         - 60.0 * nearer(0.7)
         - 15.0 * nearer(1.3)
         - 25.0 * foreign
         - WALLED * (walled(frame) - FILLED).max(0.0)
+}
+
+/// The score of the part of a picture that a thing fills, up to that which shows it well, if it is furniture.
+fn purpose(snapshot: &Snapshot, node: NodeId, part: f32) -> f32 {
+    let Some(body) = snapshot.body_of(node) else { return 0.0 };
+    let classes = ClassTable::builtin();
+    let class = snapshot.class(body.class).map_or("", |name| &**name);
+    let weight = match () {
+        () if PURPOSES.iter().any(|purpose| classes.is_a(class, purpose)) => PURPOSE,
+        () if body.role == ObjectRole::Furniture => FURNISHED,
+        () => 0.0,
+    };
+    weight * part.min(SHOWN)
 }
 
 /// The share of a picture that the part of one thing fills that is near.
