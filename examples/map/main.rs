@@ -99,7 +99,7 @@ fn text(file: Option<&Path>) -> Result<(String, Vec<u8>), Complaint> {
     let name = name.split('.').next().unwrap_or("map").to_owned();
     if packed.starts_with(&[0x1f, 0x8b]) {
         let mut plain = Vec::new();
-        let most = (packed.len() * UNPACKED).max(1 << 20).min(vc_map::osm::LARGEST);
+        let most = packed.len().saturating_mul(UNPACKED).clamp(1 << 20, vc_map::osm::LARGEST);
         flate2::read::MultiGzDecoder::new(packed.as_slice()).take(most as u64 + 1).read_to_end(&mut plain)?;
         if plain.len() > most {
             let why = format!("unpacks to more than {most} bytes, as no map does: unpack it yourself if it is one");
