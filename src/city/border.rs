@@ -80,11 +80,18 @@ impl City {
 
     /// Bars the thresholds of a region that let nothing through now, and no others.
     pub(super) fn set_bars(&mut self, region: RegionId) {
+        self.set_bars_to(region, |_| true);
+    }
+
+    /// Bars the thresholds to those regions beyond of which something holds, as they are now.
+    pub(super) fn set_bars_to(&mut self, region: RegionId, is_meant: impl Fn(RegionId) -> bool) {
+        let leads = |plan: &Portal| plan.across(region).is_some_and(|side| is_meant(side.region));
         let now = |threshold: &Threshold<'_>| {
             let shut = threshold.portals.iter().all(|(id, plan)| self.is_shut(*id, plan, (region, threshold.bar)));
             (threshold.bar, shut)
         };
-        let bars: Vec<(NodeId, bool)> = self.thresholds(region).iter().map(now).collect();
+        let meant = |threshold: &&Threshold<'_>| threshold.portals.iter().any(|(_, plan)| leads(plan));
+        let bars: Vec<(NodeId, bool)> = self.thresholds(region).iter().filter(meant).map(now).collect();
         let Some(there) = self.active.get_mut(&region) else { return };
         bars.into_iter().for_each(|(bar, shut)| there.set_barred(bar, shut));
     }

@@ -48,11 +48,14 @@ impl Reference {
         Ok(self.differing(&environment.save()?))
     }
 
-    /// The difference of a region at rest from how it is made: where things are, and nothing of the engine. One whose bodies
-    /// cannot be built anew is kept with its engine.
+    /// The difference of a region at rest from how it is made: where things are, and nothing of the engine. It is kept with its
+    /// engine if its bodies cannot be built anew, or would be turned by a unit in the last place by that.
     fn changes_at_rest(&self, environment: &Environment) -> Result<Changes, SaveError> {
-        let rest = environment.clone().save_rest();
-        rest.map_or_else(|_| self.changes(environment), |bytes| Ok(self.differing(&bytes)))
+        let mut rested = environment.clone();
+        match rested.save_rest() {
+            Ok(bytes) if rested.stands_as(environment) => Ok(self.differing(&bytes)),
+            _ => self.changes(environment),
+        }
     }
 
     fn differing(&self, bytes: &[u8]) -> Changes {

@@ -109,7 +109,7 @@ impl City {
     fn bar_behind(&mut self, region: RegionId) {
         let leaves = self.gates(region).filter(|(_, plan, ..)| plan.leaf.is_some());
         let beyond: BTreeSet<RegionId> = leaves.map(|(.., across)| across.region).collect();
-        beyond.into_iter().for_each(|other| self.set_bars(other));
+        beyond.into_iter().for_each(|other| self.set_bars_to(other, |leads| leads == region));
     }
 
     fn gates_of(&self, region: RegionId) -> Vec<Gate> {

@@ -253,11 +253,22 @@ impl Environment {
 
     /// Whether all is as it was when the environment was made.
     pub(crate) fn is_as_made(&self) -> bool {
-        let position = |world: &PhysicsWorld, id: NodeId| {
-            world.parts(id).all().into_iter().map(|part| part.position).collect::<Vec<f32>>()
-        };
-        let start = &self.start;
-        self.graph.digest() == start.graph.digest()
-            && self.world.nodes().into_iter().all(|id| position(&self.world, id) == position(&start.world, id))
+        self.graph.digest() == self.start.graph.digest() && are_open_alike(&self.world, &self.start.world)
     }
+
+    /// Whether everything stands where it stands in another environment, to the bit.
+    pub(crate) fn stands_as(&self, other: &Self) -> bool {
+        let stands = |id: NodeId| self.world.pose(id) == other.world.pose(id);
+        self.graph == other.graph
+            && are_open_alike(&self.world, &other.world)
+            && self.world.nodes().into_iter().all(stands)
+    }
+}
+
+/// Whether the parts of all things of a world are as far open as in another one.
+fn are_open_alike(one: &PhysicsWorld, other: &PhysicsWorld) -> bool {
+    let position = |world: &PhysicsWorld, id: NodeId| {
+        world.parts(id).all().into_iter().map(|part| part.position).collect::<Vec<f32>>()
+    };
+    one.nodes().into_iter().all(|id| position(one, id) == position(other, id))
 }
