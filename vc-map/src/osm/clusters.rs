@@ -121,12 +121,8 @@ pub(super) fn degree(network: &Network<'_>, node: u32) -> usize {
 /// The links of junctions between which a street only passes rails, as in the median of a dual carriageway: all pieces of a
 /// street between two junctions that would be one without the rails.
 fn over_rails(network: &Network<'_>) -> Vec<(f64, u32, u32)> {
-    let rails = |node: u32| {
-        let pieces = network.at.get(&node).into_iter().flatten().filter_map(|number| network.pieces[*number].as_ref());
-        pieces.into_iter().any(|piece| network.street(piece).class.is_rail())
-    };
     let real = |node: u32| degree(network, node) > 2;
-    let passes = |node: u32| degree(network, node) == 2 && rails(node);
+    let passes = |node: u32| degree(network, node) == 2 && network.has_rails(node);
     let mut links = Vec::new();
     for first in network.at.keys().copied().filter(|node| real(*node)) {
         for (number, piece) in network.streets_at(first) {

@@ -214,6 +214,12 @@ impl<'a> Network<'a> {
         pieces.filter(|(_, piece)| self.street(piece).class.is_street())
     }
 
+    /// Whether rails meet at a node.
+    pub(super) fn has_rails(&self, node: u32) -> bool {
+        let pieces = self.at.get(&node).into_iter().flatten().filter_map(|number| self.pieces[*number].as_ref());
+        pieces.into_iter().any(|piece| self.street(piece).class.is_rail())
+    }
+
     /// Whether the map ends at a node.
     pub(super) fn is_edge(&self, node: u32) -> bool {
         let near = |bounds: [f64; 4]| self.source.nodes.get(node as usize).is_some_and(|n| n.within(bounds) < EDGE);

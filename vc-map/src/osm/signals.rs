@@ -138,7 +138,7 @@ fn vehicles(network: &Network<'_>, clusters: &Clusters, report: &mut ImportRepor
             continue;
         }
         let element = Element::Node(id(network, *node));
-        if clusters.is_junction(network, *node) {
+        if clusters.is_junction(network, *node) || (marks.signals && network.has_rails(*node)) {
             lit.insert(clusters.of(*node));
         } else if crossing {
             // A crossing for people between junctions.

@@ -128,6 +128,31 @@ fn rails_in_the_median_part_no_junction() {
 }
 
 #[test]
+fn lights_at_rails_keep_cars_and_trams_apart() {
+    let nodes = [
+        (1, -1.0, 0.0, ""),
+        (2, 0.0, 0.0, "highway=traffic_signals"),
+        (3, 1.0, 0.0, ""),
+        (4, 0.0, 1.0, ""),
+        (5, 0.0, -1.0, ""),
+    ];
+    let ways: [(i64, &[i64], &str); 2] = [(20, &[1, 2, 3], "highway=secondary"), (21, &[4, 2, 5], "railway=tram")];
+    let (map, report) = import(&file(&nodes, &ways, ""));
+    let [signal] = map.signals() else { panic!("{report}") };
+    let goes = |row: usize| {
+        let green = |phase: &vc_map::Phase| matches!(phase.lights[row], Light::Green | Light::GreenYield);
+        signal.phases.iter().map(green).collect::<Vec<bool>>()
+    };
+    let junction = map.junction(signal.junction).unwrap();
+    let users = |row: usize| map.movement(junction.movements[row]).unwrap().users;
+    for tram in (0..junction.movements.len()).filter(|row| users(*row).has(Users::TRAM)) {
+        for car in (0..junction.movements.len()).filter(|row| users(*row).has(Users::CAR)) {
+            assert!(goes(tram).iter().zip(goes(car)).all(|(a, b)| !(*a && b)), "{:?}", signal.phases);
+        }
+    }
+}
+
+#[test]
 fn rails_in_a_street_are_crossed_with_it() {
     let nodes = [(1, -1.0, 0.0, ""), (2, 0.0, 0.0, ""), (3, 1.0, 0.0, ""), (4, 0.0, 1.0, ""), (5, 0.0, -1.0, "")];
     let rails = [(6, -1.0, 0.01, ""), (8, 1.0, 0.01, "")];
