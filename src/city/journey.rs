@@ -193,6 +193,9 @@ impl City {
         let (here, feet) = self.begins_at(agent).ok_or_else(|| CityError::NoSuchAgent(self.label(agent)))?;
         let way = to.filter(|to| *to != here).map_or_else(|| Ok(Vec::new()), |to| self.way(agent, (here, feet), to))?;
         let stands = !self.is_crossing(agent);
+        if let Some(there) = self.active.get_mut(&here) {
+            there.see_floor();
+        }
         if way.first().is_some_and(|first| stands && !self.reaches(agent, *first)) {
             return Err(CityError::NoWayOut { agent: self.label(agent), region: self.region_label(here) });
         }

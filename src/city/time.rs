@@ -195,6 +195,7 @@ impl City {
     /// an agent does, if its ending is the first after some that are known.
     fn advance(&mut self, end: Tick, whom: Option<(NodeId, usize)>) {
         self.stop_those_told();
+        self.see_floors();
         self.journeys_begin();
         self.make_way_for_leaves();
         let has_ended = |(agent, known): (NodeId, usize)| self.endings[known..].iter().any(|e| e.is_last_of(agent));
@@ -208,6 +209,7 @@ impl City {
             ended.extend(environment.step(Span(to.0.saturating_sub(environment.tick().0))));
         }
         self.tick = to;
+        self.see_floors();
         ended.sort_by_key(|ending| (ending.tick, ending.agent));
         for ending in ended {
             self.note(ending.tick, ending.agent, ending.action, ending.outcome.map_err(CityError::from));
@@ -220,6 +222,13 @@ impl City {
         // At the end of a tick all has begun that can: it does not matter whether somebody asks for the next.
         self.journeys_begin();
         self.let_rest(&reached);
+    }
+
+    /// Sees where the floors are free while somebody looks for places on them: a city that is restored sees them anew, too.
+    pub(super) fn see_floors(&mut self) {
+        if !self.journeys.is_empty() {
+            self.active.values_mut().for_each(Environment::see_floor);
+        }
     }
 
     /// The end of the next tick in which something is touched, at most a tick: nothing comes to a portal before.

@@ -157,6 +157,11 @@ impl Environment {
         spots.find(|spot| self.stands_at(agent, spot) && is_apart(spot) && fits(spot) && is_near(*spot))
     }
 
+    /// Sees where the floor is free now: things have moved since.
+    pub(crate) fn see_floor(&mut self) {
+        self.floor.update(&self.world);
+    }
+
     /// The free floor nearest to a point, at most 1.5 m away, that fits, whoever stands there.
     pub(crate) fn free_floor_near(&self, at: Point2<f32>, fits: impl Fn(&Point2<f32>) -> bool) -> Option<Point2<f32>> {
         // Of nobody who is here.

@@ -4,6 +4,7 @@ use virtualcity::City;
 use virtualcity::graph::clock::Span;
 use virtualcity::graph::space::RegionId;
 use virtualcity::graph::{Action, NodeId, Verb};
+use virtualcity::nalgebra::Vector3;
 
 use super::{YARD, city, landing, move_cup, of_class};
 
@@ -70,4 +71,34 @@ fn a_home_that_sleeps_takes_kilobytes() {
     assert!(saved < 200_000, "{saved} bytes");
     let fridge = city.peek(home).unwrap().graph().of_class("fridge")[0];
     assert!(city.peek(home).unwrap().graph().node(fridge).unwrap().is(virtualcity::graph::State::Open));
+}
+
+/// Somebody under way goes on as in a city that was restored meanwhile, though things were pushed over the floor.
+#[test]
+fn restores_between_pushes_change_no_way() {
+    let start = City::make("building/7", 2).unwrap();
+    let agents: Vec<NodeId> = start.agents().collect();
+    let homes: Vec<RegionId> = agents.iter().map(|agent| start.region_of(*agent).unwrap()).collect();
+    let yard = start.space().regions().find(|(_, region)| &*region.name == "yard").unwrap().0;
+    let chairs: Vec<NodeId> = homes
+        .iter()
+        .flat_map(|home| start.environment(*home).unwrap().graph().of_class("dining_chair").to_vec())
+        .collect();
+    let (mut plain, mut restored) = (start.clone(), start.clone());
+    for round in 0..10 {
+        let chair = chairs[round % chairs.len()];
+        for city in [&mut plain, &mut restored] {
+            city.go(agents[round % 2], if round % 4 < 2 { yard } else { homes[round % 2] }).ok();
+            let there = city.region_of(chair).unwrap();
+            let at = city.peek(there).unwrap().world().body(chair).unwrap().centre_of_mass();
+            let way = [Vector3::x(), Vector3::y(), -Vector3::x(), -Vector3::y()][round % 4];
+            city.push(chair, way * 9.0, at).unwrap();
+            city.step(Span(31));
+        }
+        restored = start.restore(&restored.save().unwrap()).unwrap();
+        for city in [&mut plain, &mut restored] {
+            city.step(Span(47));
+        }
+        assert_eq!(plain.digest(), restored.digest(), "round {round}");
+    }
 }
