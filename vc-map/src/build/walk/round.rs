@@ -9,6 +9,7 @@ use crate::{Control, DrivingSide, JunctionId, Point, Polyline, RoadId, Users, Wa
 
 /// The order of what leaves a junction is that on a circle so far outside of it, metres, found in so many steps.
 const OUTSIDE: f64 = 6.0;
+const STEPS: u32 = 64;
 /// A crossing leads over a road, or comes so near to its end, metres; a corner that leads over one so far outside of the junction
 /// is a crossing. Beyond this no way at a junction is looked for.
 const BESIDE: f64 = 1.5;
@@ -21,7 +22,6 @@ const LONGER: f64 = 1.5;
 const LONGER_BY: f64 = 4.0;
 /// Arms lie on each other if they leave in nearly one direction: its cosine, for 17 degrees.
 const NEARLY: f64 = 0.955;
-const STEPS: u32 = 64;
 
 /// Two ends of footways that follow each other around a junction, and the carriageways between them.
 pub(super) struct Pair {
