@@ -5,7 +5,8 @@ use std::sync::Arc;
 
 use vc_graph::format::native;
 use vc_graph::{AssetLibrary, Digest, Event, NodeId, SceneBuilder, SceneGraph};
-use vc_physics::PhysicsWorld;
+use vc_physics::{Floor, PhysicsWorld};
+use vc_relations::Relations;
 
 use super::{Environment, Past, SaveError};
 use crate::parts::{self, Magic};
@@ -89,12 +90,23 @@ impl Environment {
         let relations = self.start.relations.clone();
         let mut floor = self.start.floor.clone();
         floor.update(&world);
+        self.resumed((graph, world, relations, floor), [clock, cameras, history])
+    }
+
+    /// An environment that was made in the same way, with another scene and other bodies, in which that goes on which was going
+    /// on there: its clock, cameras and history.
+    pub(super) fn resumed(
+        &self,
+        (graph, world, relations, floor): (SceneGraph, PhysicsWorld, Relations, Floor),
+        texts: [&[u8]; 3],
+    ) -> Result<Self, SaveError> {
+        let [clock, cameras, history] = texts.map(|bytes| std::str::from_utf8(bytes).map_err(|_| SaveError::NotSaved));
         let (world, relations, floor) = (world.into(), relations.into(), floor.into());
         let mut copy = Self { graph, world, relations, floor, past: Past::default(), ..self.clone() };
         copy.poses = BTreeMap::new();
-        copy.restore_clock(text(clock)?)?;
-        copy.restore_cameras(Some(text(cameras)?).filter(|text| !text.is_empty()))?;
-        copy.read_history(text(history)?)?;
+        copy.restore_clock(clock?)?;
+        copy.restore_cameras(Some(cameras?).filter(|text| !text.is_empty()))?;
+        copy.read_history(history?)?;
         Ok(copy)
     }
 

@@ -1,6 +1,5 @@
 //! Environments at rest as bytes: what differs from their start, and nothing of the engine.
 
-use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use vc_graph::format::native;
@@ -8,8 +7,8 @@ use vc_graph::{AssetLibrary, Change, ChangeSet, Edge, NodeId, Place, SceneBuilde
 use vc_physics::{Floor, PhysicsWorld, RestRecord, SnapshotError};
 use vc_relations::Relations;
 
+use super::StateError;
 use super::waking::read;
-use super::{Past, StateError};
 use crate::environment::{Environment, SaveError, Start};
 use crate::parts::{self, Magic};
 
@@ -66,13 +65,7 @@ impl Environment {
         let again = Reread::of(&self.start, &mut world, (&told, library)).map_err(|_| SaveError::Damaged)?;
         let mut graph = again.graph;
         read_changes(others)?.apply(&mut graph).map_err(SaveError::Remembered)?;
-        let (world, relations, floor) = (world.into(), again.relations.into(), again.floor.into());
-        let mut copy = Self { graph, world, relations, floor, past: Past::default(), ..self.clone() };
-        copy.poses = BTreeMap::new();
-        copy.restore_clock(text(clock)?)?;
-        copy.restore_cameras(Some(text(cameras)?).filter(|text| !text.is_empty()))?;
-        copy.read_history(text(history)?)?;
-        Ok(copy)
+        self.resumed((graph, world, again.relations, again.floor), [clock, cameras, history])
     }
 }
 
