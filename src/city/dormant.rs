@@ -87,8 +87,9 @@ impl City {
         self.reference(region)?.changes(environment).map_err(|why| self.unsaved(region, why))
     }
 
-    /// The bytes that a region takes which somebody has changed and in which nobody is: about those of its changes; none
-    /// while it is there, and if nothing differs in it from how it was made.
+    /// The bytes that a region takes which somebody has changed and in which nobody is: those of its changes, and of its
+    /// bodies as the engine has them unless these come out the same to the bit when they are built anew. None while it is
+    /// there, and if nothing differs in it from how it was made.
     ///
     /// ```
     /// use virtualcity::City;
