@@ -21,7 +21,7 @@ const LEAST: f64 = 0.5;
 const CROSSED: f64 = 2.5;
 /// The part of a road that a junction can take, and the least that is left of it, metres.
 const LARGEST_PART: f64 = 0.4;
-const PATHS_PART: f64 = 0.9;
+const PATHS_PART: f64 = 0.98;
 const LEFT: f64 = 0.01;
 
 pub(super) fn junctions(draft: &MapDraft, lines: &[Polyline]) -> Result<Vec<Junction>, MapError> {
@@ -118,8 +118,12 @@ fn fit(cuts: [f64; 2], length: f64, street: bool) -> [f64; 2] {
         return cuts.map(|cut| cut.min(most));
     }
     let most = (length * PATHS_PART).min(length - LEFT).max(0.0);
-    let all: f64 = cuts.iter().sum();
-    if all > most { cuts.map(|cut| cut * most / all) } else { cuts }
+    let [from, to] = cuts;
+    if from + to <= most {
+        return cuts;
+    }
+    // The end at the wider street comes first.
+    if from >= to { [from.min(most), most - from.min(most)] } else { [most - to.min(most), to.min(most)] }
 }
 
 /// How far from its begin an arm meets none of the others any more: where its edge meets theirs.
@@ -132,7 +136,9 @@ fn cut(draft: &MapDraft, lines: &[Polyline], junction: &Junction, index: usize) 
     };
     let corner = if arms.iter().filter(|arm| street(arm)).count() > 2 && street(arm) { 1.5 } else { 0.0 };
     let meets = |other: &Arm| {
-        if !street(other) && street(arm) {
+        // Paths from other nodes of a junction end at their own kerbs.
+        let elsewhere = (begin(other) - begin(arm)).norm() > LEAST;
+        if !street(other) && (street(arm) || elsewhere) {
             return 0.0;
         }
         let sine = arm.away.perp(&other.away);

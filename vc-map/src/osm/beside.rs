@@ -125,7 +125,8 @@ pub(super) fn pavements(lane: &LaneTags<'_>, section: &mut CrossSection) -> [Opt
     let usual = urban && !lane.slip && lane.users.has(Users::FOOT);
     let guessed = [true, false].map(|forward| match () {
         () if usual && !tagged => Some(0.5),
-        () if usual && is_apart(lane, forward) => Some(0.0),
+        // A one-way street may be a carriageway with another beside it.
+        () if usual && is_apart(lane, forward) && (forward || !lane.one_way) => Some(0.0),
         () => None,
     });
     for (forward, guessed) in [true, false].into_iter().zip(guessed) {
