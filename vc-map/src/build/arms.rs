@@ -19,6 +19,8 @@ const FARTHEST_CUT: f64 = 30.0;
 /// Every arm is cut back by at least this, metres; where people cross, a crossing has to fit between two arms.
 const LEAST: f64 = 0.5;
 const CROSSED: f64 = 2.5;
+/// Roads are nearly parallel if the sine of the angle between them is less, for 17 degrees.
+const PARALLEL: f64 = 0.3;
 /// The part of a road that a junction can take, and the least that is left of it, metres.
 const LARGEST_PART: f64 = 0.4;
 const PATHS_PART: f64 = 0.98;
@@ -138,12 +140,16 @@ fn cut(draft: &MapDraft, lines: &[Polyline], junction: &Junction, index: usize) 
     let meets = |other: &Arm| {
         // Paths from other nodes of a junction end at their own kerbs.
         let elsewhere = (begin(other) - begin(arm)).norm() > LEAST;
-        if !street(other) && (street(arm) || elsewhere) {
+        let sine = arm.away.perp(&other.away);
+        let rail = draft.roads[other.road.index()].class.is_rail();
+        let paved = pavement(draft, arm, sine > 0.0) > 0.0;
+        // A pavement ends before rails that it meets, and not where they lie in its street.
+        let stops = street(arm) && rail && paved && sine.abs() >= PARALLEL;
+        if !street(other) && !stops && (street(arm) || elsewhere) {
             return 0.0;
         }
-        let sine = arm.away.perp(&other.away);
         // Roads that go on straight, or nearly lie on each other, do not meet at a corner.
-        if sine.abs() < 0.3 {
+        if sine.abs() < PARALLEL {
             let apart = (begin(other) - begin(arm)).norm() > reach(draft, arm) + reach(draft, other);
             return if arm.away.dot(&other.away) > 0.0 && !apart { FARTHEST_CUT / 2.0 } else { 0.0 };
         }

@@ -35,6 +35,7 @@ mod data;
 mod doors;
 mod emit;
 mod error;
+mod kerbs;
 mod lanes;
 mod links;
 mod marks;

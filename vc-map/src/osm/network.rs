@@ -79,6 +79,7 @@ impl<'a> Network<'a> {
         network.link_crossings(&mut parts, report);
         network.mark(&parts);
         network.cut(parts, report);
+        network.join_in_carriageways();
         network.merge();
         network
     }

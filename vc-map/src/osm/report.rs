@@ -116,6 +116,8 @@ pub enum Reason {
     NoJunction,
     /// A crossing with no pavement or path on one of its sides: nobody comes to it.
     NobodyCrosses,
+    /// The map has it without the pavement around the island of a ring, to which nobody crosses.
+    IslandPavement,
     /// A sign on a junction of equal streets, or on one that nobody comes to.
     NoArm,
     /// The map has no use for it.
@@ -147,6 +149,7 @@ impl fmt::Display for Reason {
             Self::OtherUsers => "for users whom the map does not know",
             Self::NoJunction => "a signal or sign with no junction ahead",
             Self::NobodyCrosses => "a crossing without a pavement or path on each side",
+            Self::IslandPavement => "in part: without the pavement around the island of a ring",
             Self::NoArm => "a sign on a junction of equal streets: nobody knows for whom",
             Self::NoUse => "no use for it",
             Self::TooManyMeet => "too many ways meet",

@@ -195,9 +195,8 @@ pub(super) fn street(
         let lane = LaneTags { tags, element, class, slip, one_way, users, limits, side, reversed };
         street.section = lanes::section(&lane, report);
         street.guessed_pavements = super::beside::pavements(&lane, &mut street.section);
-        // Nobody walks around the island in the middle of a ring.
-        if roundabout && street.guessed_pavements[1].take().is_some() {
-            street.section.backward.retain(|strip| strip.kind != StripKind::Pavement);
+        if roundabout {
+            island(&mut street, element, report);
         }
         if is_closed_on_foot(tags) {
             let strips = street.section.forward.iter_mut().chain(&mut street.section.backward);
@@ -207,6 +206,17 @@ pub(super) fn street(
         street.section = path(tags, class, users, limits[0], element, report);
     }
     Ok(street)
+}
+
+/// Nobody walks around the island in the middle of a ring, whose inner side is that against its direction.
+fn island(street: &mut Street, element: Element, report: &mut ImportReport) {
+    let guessed = street.guessed_pavements[1].take().is_some();
+    let inner = &mut street.section.backward;
+    let count = inner.len();
+    inner.retain(|strip| strip.kind != StripKind::Pavement);
+    if inner.len() < count && !guessed {
+        report.drop(element, Reason::IslandPavement);
+    }
 }
 
 /// The speed limits along the road and against it, metres per second.

@@ -42,6 +42,9 @@ impl fmt::Display for MapViolation {
             Self::WalkCutOff { node, nodes, metres } => {
                 write!(f, "{node} and {} more, {metres:.0} m, are cut off from the pavements", nodes - 1)
             }
+            Self::CrossingInRoad { crossing, road, metres } => {
+                write!(f, "{crossing} begins or ends in {road}, {metres:.1} m from the edge of its carriageway")
+            }
             Self::NoCrossing { junction, road } => write!(f, "{junction} has lights and no crossing over {road}"),
             Self::Unlit { crossing } => {
                 write!(f, "either {crossing} or its junction has no lights, and the other does")

@@ -146,6 +146,15 @@ pub enum MapViolation {
         /// The road.
         road: RoadId,
     },
+    /// A crossing begins or ends in a carriageway that it leads over, so that it is shorter than that is wide.
+    CrossingInRoad {
+        /// The crossing.
+        crossing: CrossingId,
+        /// The road.
+        road: RoadId,
+        /// The distance from the edge of the carriageway, metres.
+        metres: f64,
+    },
     /// An arm with pavements of a junction with lights has no crossing.
     NoCrossing {
         /// The junction.
@@ -231,6 +240,7 @@ impl MapViolation {
             Self::WalkInLane { .. } => "pavement in a lane",
             Self::WalkGap { .. } => "pavement away from its nodes",
             Self::CrossesNothing { .. } => "crossing beside its road",
+            Self::CrossingInRoad { .. } => "crossing ends in its road",
             Self::NoCrossing { .. } => "no crossing at lights",
             Self::Unlit { .. } => "crossing and junction differ in lights",
             Self::Outline { .. } => "outline crosses itself",
@@ -275,6 +285,7 @@ impl MapViolation {
             | Self::DoorWalledIn { entrance, .. } => door(entrance),
             Self::Unlit { crossing }
             | Self::ShortClearance { crossing, .. }
+            | Self::CrossingInRoad { crossing, .. }
             | Self::CrossesNothing { crossing, .. } => map.crossing(*crossing).map(|crossing| crossing.line.start()),
         }
     }

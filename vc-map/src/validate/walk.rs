@@ -26,7 +26,9 @@ pub(super) fn violations(map: &StreetMap) -> Vec<MapViolation> {
     }
     for (index, crossing) in map.crossings().iter().enumerate() {
         let beside = crossing.roads.iter().filter(|road| !crosses(map, crossing, **road));
+        let inside = ends_in(map, crossing);
         let crossing = CrossingId::of(index);
+        found.extend(inside.map(|(road, metres)| MapViolation::CrossingInRoad { crossing, road, metres }));
         found.extend(beside.map(|road| MapViolation::CrossesNothing { crossing, road: *road }));
     }
     for (index, junction) in map.junctions().iter().enumerate() {
@@ -97,6 +99,16 @@ fn crosses(map: &StreetMap, crossing: &RoadCrossing, road: RoadId) -> bool {
     let Some(road) = map.road(road) else { return true };
     let end = if road.draft.from == crossing.junction { road.line.start() } else { road.line.end() };
     road.line.crosses(&crossing.line) || (crossing.line.project(&end).point - end).norm() < BESIDE
+}
+
+/// The road within which a crossing begins or ends deepest, and how deep, metres.
+fn ends_in(map: &StreetMap, crossing: &RoadCrossing) -> Option<(RoadId, f64)> {
+    let ends = [crossing.line.start(), crossing.line.end()];
+    let deep = |id: &RoadId| {
+        let depths = ends.iter().filter_map(|end| map.road(*id)?.depth(end));
+        depths.reduce(f64::max).map(|depth| (*id, depth))
+    };
+    crossing.roads.iter().filter_map(deep).max_by(|a, b| a.1.total_cmp(&b.1))
 }
 
 fn cut_off(map: &StreetMap) -> Vec<MapViolation> {

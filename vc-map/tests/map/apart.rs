@@ -101,6 +101,97 @@ fn a_crossing_that_is_a_way_leads_from_kerb_to_kerb() {
 }
 
 #[test]
+fn a_crossing_that_is_mapped_in_pieces_is_as_long_as_one_in_one() {
+    // Nodes at the kerbs, at an island, and two pieces of which one is drawn the other way.
+    let street = "highway=secondary lanes=4 width=13 sidewalk=separate";
+    let crossing = "highway=footway footway=crossing crossing=traffic_signals";
+    let sidewalk = "highway=footway footway=sidewalk";
+    let nodes = [
+        (1, -1.0, 0.0, ""),
+        (2, 0.0, 0.0, "highway=crossing crossing=traffic_signals"),
+        (3, 1.0, 0.0, ""),
+        (4, -1.0, 0.09, ""),
+        (5, 0.0, 0.09, ""),
+        (6, 1.0, 0.09, ""),
+        (7, -1.0, -0.09, ""),
+        (8, 0.0, -0.09, ""),
+        (9, 1.0, -0.09, ""),
+        (10, 0.0, 0.027, "kerb=lowered"),
+        (11, 0.0, -0.06, ""),
+        (12, 0.0, -0.03, ""),
+    ];
+    let pieces: [&[(i64, &[i64], &str)]; 3] = [
+        &[(23, &[5, 2, 8], crossing)],
+        &[(23, &[10, 2, 12], crossing), (24, &[10, 5], "highway=footway"), (25, &[8, 12], "highway=footway width=3")],
+        &[
+            (23, &[2, 10], crossing),
+            (24, &[12, 2], crossing),
+            (25, &[12, 11, 8], "highway=footway"),
+            (26, &[5, 10], sidewalk),
+        ],
+    ];
+    for pieces in pieces {
+        let mut ways: Vec<(i64, &[i64], &str)> =
+            vec![(20, &[1, 2, 3], street), (21, &[4, 5, 6], sidewalk), (22, &[7, 8, 9], sidewalk)];
+        ways.extend(pieces);
+        let (map, _) = import(&file(&nodes, &ways, ""));
+        let [crossing] = map.crossings() else { panic!("{:?}", map.crossings()) };
+        assert!((crossing.line.length() - 13.0).abs() < 0.3, "{} {pieces:?}", crossing.line.length());
+        assert!(map.validate().iter().all(|v| v.kind() == "streets cut off"), "{:?}", map.validate());
+    }
+}
+
+#[test]
+fn pavements_go_on_over_rails_at_any_angle() {
+    for degrees in [90.0_f64, 60.0, 45.0, 30.0, 20.0] {
+        let (y, x) = degrees.to_radians().sin_cos();
+        let nodes = [(1, -1.0, 0.0, ""), (2, 0.0, 0.0, ""), (3, 1.0, 0.0, ""), (4, x, y, ""), (5, -x, -y, "")];
+        for rails in ["railway=rail", "railway=tram"] {
+            let ways: [(i64, &[i64], &str); 2] =
+                [(20, &[1, 2, 3], "highway=residential sidewalk=both"), (21, &[4, 2, 5], rails)];
+            let (map, _) = import(&file(&nodes, &ways, ""));
+            for side in [10.0, -10.0] {
+                let ends = [-90.0, 90.0].map(|x| vc_map::Point::new(x, side));
+                let walk = Router::new(&map, Mode::Foot).route(&ends[0], &ends[1]);
+                assert!(
+                    walk.as_ref().is_some_and(|w| w.metres < 183.0),
+                    "{degrees} {rails} {walk:?} {:?} {:?}",
+                    map.crossings(),
+                    map.validate()
+                );
+            }
+            assert!(map.validate().iter().all(|v| v.kind() == "streets cut off"), "{degrees} {:?}", map.validate());
+        }
+    }
+}
+
+#[test]
+fn nobody_walks_around_the_island_of_a_ring() {
+    for (tags, told) in [("sidewalk=both", true), ("sidewalk:both=yes", true), ("sidewalk=right", false), ("", false)] {
+        let mut nodes = Vec::new();
+        let mut ways: Vec<(i64, [i64; 2])> = Vec::new();
+        for arm in 0..8_i64 {
+            let (y, x) = (arm as f64 * std::f64::consts::FRAC_PI_4).sin_cos();
+            nodes.push((10 + arm, 0.18 * x, 0.18 * y, ""));
+            if arm % 2 == 0 {
+                nodes.push((20 + arm, x, y, ""));
+                ways.push((30 + arm, [20 + arm, 10 + arm]));
+            }
+        }
+        let ring: Vec<i64> = (10..18).chain([10]).collect();
+        let round = format!("highway=secondary junction=roundabout {tags}");
+        let mut all: Vec<(i64, &[i64], &str)> = vec![(9, &ring, &round)];
+        all.extend(ways.iter().map(|(id, refs)| (*id, refs.as_slice(), "highway=secondary sidewalk=both")));
+        let (map, report) = import(&file(&nodes, &all, ""));
+        assert_eq!(report.dropped.contains(&(Element::Way(9), Reason::IslandPavement)), told, "{report}");
+        let inside = |edge: &vc_map::WalkEdge| edge.line.points().iter().any(|at| at.coords.norm() < 16.0);
+        assert_eq!(map.walk_edges().iter().filter(|edge| inside(edge)).count(), 0, "{tags}");
+        assert_eq!(map.walk_parts().len(), 1, "{tags}");
+        assert!(map.validate().is_empty(), "{tags} {:?}", map.validate());
+    }
+}
+
+#[test]
 fn rails_in_the_median_part_no_junction() {
     // A dual carriageway 14 m wide with two tracks between, and a street across it; lights on both nodes.
     let lights = "highway=traffic_signals";

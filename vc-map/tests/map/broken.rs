@@ -165,3 +165,31 @@ fn a_pavement_that_ends_in_a_lane_is_told() {
     assert!(kinds.contains(&"pavement in a lane"), "{kinds:?}");
     assert!(map.road(RoadId(0)).is_some());
 }
+
+#[test]
+fn a_crossing_within_its_road_is_told() {
+    // Paths from both sides end at nodes in a wide street.
+    let mut draft = MapDraft::new("narrow", 48.0, 11.0);
+    let places = [[-100.0, 0.0], [0.0, 0.0], [100.0, 0.0], [0.0, 2.0], [0.0, -2.0], [0.0, 40.0], [0.0, -40.0]];
+    let at = places.map(|place| draft.junction(place, Control::Priority));
+    let wide = || CrossSection { forward: vec![Strip::driving(3.0, 10.0); 4], ..CrossSection::default() };
+    draft.road(at[0], at[1], RoadClass::Secondary, wide());
+    draft.road(at[1], at[2], RoadClass::Secondary, wide());
+    let path = || CrossSection {
+        forward: vec![Strip::new(vc_map::StripKind::Path, 2.0, vc_map::Users::FOOT, 1.4)],
+        ..CrossSection::default()
+    };
+    for (from, to) in [(1, 3), (1, 4), (3, 5), (4, 6)] {
+        draft.road(at[from], at[to], RoadClass::Path, path());
+    }
+    draft.crossings.push(vc_map::CrossingDraft {
+        at: at[1],
+        road: RoadId(0),
+        kind: vc_map::CrossingKind::Marked,
+        island: false,
+        source: 1,
+    });
+    let map = draft.build().unwrap();
+    let kinds: Vec<_> = map.validate().iter().map(MapViolation::kind).collect();
+    assert!(kinds.contains(&"crossing ends in its road"), "{kinds:?} {:?}", map.crossings());
+}

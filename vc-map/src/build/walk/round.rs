@@ -58,8 +58,12 @@ impl Walk<'_> {
         corner || !pair.over.is_empty()
     }
 
-    /// Whether a way leads across its roads rather than along them, and is not much longer than they are wide.
+    /// Whether a way leads across its roads rather than along them, from edge to edge, and is not much longer than they are wide. Over rails one goes
+    /// as the street does.
     pub(super) fn leads_across(&self, junction: &Junction, pair: &Pair) -> bool {
+        if pair.over.iter().all(|road| self.roads[road.index()].draft.class.is_rail()) {
+            return true;
+        }
         let [from, to] = pair.ends.map(|node| self.net.nodes[node.index()].at);
         let way = to - from;
         let crossed = || junction.arms.iter().filter(|arm| pair.over.contains(&arm.road));
@@ -68,7 +72,8 @@ impl Walk<'_> {
         let width: f64 = crossed().map(|arm| self.roads[arm.road.index()].draft.section.width()).sum();
         let mean: Vector2<f64> = crossed().map(|arm| arm.away).sum();
         let along = way.dot(&mean.try_normalize(0.1).unwrap_or_else(Vector2::zeros)).abs();
-        along <= way.norm() * ALONG && way.norm() <= LONGER * (width + apart) + LONGER_BY
+        let within = |arm: &Arm| [from, to].iter().any(|end| self.roads[arm.road.index()].depth(end).is_some());
+        along <= way.norm() * ALONG && way.norm() <= LONGER * (width + apart) + LONGER_BY && !crossed().any(within)
     }
 
     /// The point at which the line of an arm begins.
