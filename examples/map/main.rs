@@ -46,7 +46,7 @@ struct Arguments {
     #[arg(long, default_value_t = 2.0, value_parser = scale)]
     scale: f64,
     /// Instead of a file, a grid of so many by so many junctions with lights, 110 m apart: 36 make 15 square kilometres.
-    #[arg(long)]
+    #[arg(long, value_parser = clap::value_parser!(u32).range(2..=300))]
     grid: Option<u32>,
     /// Only this part is drawn: west, south, east, north, metres from the middle.
     #[arg(long, allow_hyphen_values = true, value_parser = part)]
@@ -96,7 +96,10 @@ fn text(file: Option<&Path>) -> Result<(String, Vec<u8>), Complaint> {
     let Some(path) = file else { return Ok(("riverside".to_owned(), OWN.as_bytes().to_vec())) };
     let packed = std::fs::read(path).map_err(|error| Complaint::new(format_args!("{}: {error}", path.display())))?;
     let name = path.file_name().unwrap_or_default().to_string_lossy();
-    let name = name.split('.').next().unwrap_or("map").to_owned();
+    let ends = [".gz", ".osm", ".xml", ".pbf", ".json", ".map", ".osm"];
+    let name =
+        ends.iter().fold(&*name, |name, end| name.strip_suffix(end).filter(|rest| !rest.is_empty()).unwrap_or(name));
+    let name = name.to_owned();
     if packed.starts_with(&[0x1f, 0x8b]) {
         let mut plain = Vec::new();
         let most = packed.len().saturating_mul(UNPACKED).clamp(1 << 20, vc_map::osm::LARGEST);
@@ -204,7 +207,17 @@ fn routes(map: &StreetMap) {
     }
 }
 
+/// Whether no road comes into a part of a map.
+fn is_outside(map: &StreetMap, [west, south, east, north]: [f64; 4]) -> bool {
+    let within = |at: &vc_map::Point| (west..=east).contains(&at.x) && (south..=north).contains(&at.y);
+    let points = |line: &vc_map::Polyline| (0..=(line.length() / 5.0) as u32).map(|i| line.at(f64::from(i) * 5.0)).collect::<Vec<_>>();
+    !map.roads().iter().any(|road| points(&road.line).iter().any(within))
+}
+
 fn write(map: &StreetMap, account: &str, folder: &Path, name: &str, arguments: &Arguments) -> Result<(), Complaint> {
+    if let Some(part) = arguments.part.filter(|part| is_outside(map, *part)) {
+        return Err(Complaint::new(format_args!("--part {part:?}: no road lies there")));
+    }
     let drawing = match arguments.part {
         Some([west, south, east, north]) => Drawing::within(map, [[west, south].into(), [east, north].into()]),
         None => Drawing::of(map),

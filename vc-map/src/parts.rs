@@ -27,11 +27,11 @@ impl Road {
         self.line.part(self.cuts[0], self.line.length() - self.cuts[1]).unwrap_or_else(|| self.line.clone())
     }
 
-    /// How far a point lies within the edges of the carriageway, metres, if that is more than a tenth of its width.
+    /// How far a point lies within the edges of the carriageway, metres, if that is more than a tenth of its width or half a metre.
     pub(crate) fn depth(&self, point: &Point) -> Option<f64> {
         let surface = self.draft.section.surface();
         let depth = surface / 2.0 - (self.line.project(point).point - point).norm();
-        (self.draft.class.is_street() && depth > surface / 10.0).then_some(depth)
+        (self.draft.class.is_street() && depth > (surface / 10.0).min(0.5)).then_some(depth)
     }
 }
 

@@ -136,16 +136,21 @@ fn cut(draft: &MapDraft, lines: &[Polyline], junction: &Junction, index: usize) 
         let line = &lines[arm.road.index()];
         if arm.start { line.start() } else { line.end() }
     };
+    // Whether a street begins where the arm does.
+    let own = arms.iter().any(|other| street(other) && (begin(other) - begin(arm)).norm() <= LEAST);
     let corner = if arms.iter().filter(|arm| street(arm)).count() > 2 && street(arm) { 1.5 } else { 0.0 };
     let meets = |other: &Arm| {
-        // Paths from other nodes of a junction end at their own kerbs.
+        // Paths from the nodes of a junction end at the kerbs of the streets there.
         let elsewhere = (begin(other) - begin(arm)).norm() > LEAST;
+        if elsewhere && !street(arm) && (!street(other) || own) {
+            return 0.0;
+        }
         let sine = arm.away.perp(&other.away);
         let rail = draft.roads[other.road.index()].class.is_rail();
         let paved = pavement(draft, arm, sine > 0.0) > 0.0;
         // A pavement ends before rails that it meets, and not where they lie in its street.
         let stops = street(arm) && rail && paved && sine.abs() >= PARALLEL;
-        if !street(other) && !stops && (street(arm) || elsewhere) {
+        if !street(other) && street(arm) && !stops {
             return 0.0;
         }
         // Roads that go on straight, or nearly lie on each other, do not meet at a corner.

@@ -92,7 +92,7 @@ impl<'a> CrossingRule<'a> {
         let rails = roads().all(|road| road.class.is_rail());
         let width: f64 = roads().map(|road| road.section.carriageway(true) + road.section.carriageway(false)).sum();
         let fast = roads().flat_map(|road| road.section.strips()).any(|(_, strip)| strip.limit > SLOW);
-        let easy = width < NARROW && (rails || !fast) && !banned;
+        let easy = rails || (width < NARROW && !fast && !banned);
         // Where two streets only meet end to end, people do not cross for that, and where paths meet them, over one.
         let asked = at.streets > 2 || rails || (first && (at.streets < 2 || at.paths));
         let kind = if lit { CrossingKind::Signals } else { CrossingKind::Unmarked };

@@ -167,7 +167,10 @@ fn joins(network: &Network<'_>, piece: &Piece, apart: &BTreeSet<u32>) -> bool {
         return false;
     }
     let crossing = |node: u32| marks(node).cuts() && !apart.contains(&node);
+    // Tracks beside each other are passed in one go.
+    let tracks = || [one, other].iter().all(|node| network.has_rails(*node)) && !network.rails_join(one, other);
     match (real(one), real(other)) {
+        (false, false) if tracks() => piece.length < NEAR,
         (true, true) => piece.length < widest(network, one, other),
         (true, false) => crossing(other) && piece.length < CROSSING,
         (false, true) => crossing(one) && piece.length < CROSSING,

@@ -28,7 +28,7 @@ pub(super) fn emit(
         emitter.road(piece, lit, report);
         room.take(emitter.draft.roads[before..].iter().map(Holds::bytes).sum())?;
     }
-    emitter.crossings();
+    emitter.crossings(report);
     emitter.barriers(report);
     emitter.signs(report);
     emitter.edges(report);
@@ -152,8 +152,9 @@ impl Emitter<'_> {
         }
     }
 
-    /// The crossings at nodes of clusters: each over the street that leaves nearest to it.
-    fn crossings(&mut self) {
+    /// The crossings at nodes of clusters: each over the street that leaves nearest to it. Those that no street leaves near are within
+    /// the junction.
+    fn crossings(&mut self, report: &mut ImportReport) {
         for (node, marks) in &self.network.marks {
             let (Some(kind), true) = (marks.crossing, self.network.at.contains_key(node)) else { continue };
             if self.network.streets_at(*node).next().is_none() {
@@ -166,7 +167,10 @@ impl Emitter<'_> {
             let away = |road: &RoadId| self.away(*road, &point);
             let roads = self.roads.get(&head).into_iter().flatten().filter(street);
             let nearest = roads.map(|road| (away(road), *road)).min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
-            let Some((_, road)) = nearest.filter(|(away, _)| *away < ON_ARM) else { continue };
+            let Some((_, road)) = nearest.filter(|(away, _)| *away < ON_ARM) else {
+                report.drop(self.network.element(*node), Reason::WithinJunction);
+                continue;
+            };
             let source = self.network.id(*node).unwrap_or_default();
             self.draft.crossings.push(CrossingDraft { at, road, kind, island: marks.island, source });
         }

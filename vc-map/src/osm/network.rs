@@ -215,10 +215,20 @@ impl<'a> Network<'a> {
         pieces.filter(|(_, piece)| self.street(piece).class.is_street())
     }
 
+    /// The pieces of rails at a node.
+    fn rails_at(&self, node: u32) -> impl Iterator<Item = &Piece> {
+        let pieces = self.at.get(&node).into_iter().flatten().filter_map(|number| self.pieces[*number].as_ref());
+        pieces.filter(|piece| self.street(piece).class.is_rail())
+    }
+
     /// Whether rails meet at a node.
     pub(super) fn has_rails(&self, node: u32) -> bool {
-        let pieces = self.at.get(&node).into_iter().flatten().filter_map(|number| self.pieces[*number].as_ref());
-        pieces.into_iter().any(|piece| self.street(piece).class.is_rail())
+        self.rails_at(node).next().is_some()
+    }
+
+    /// Whether rails lead from one node to the next one.
+    pub(super) fn rails_join(&self, one: u32, other: u32) -> bool {
+        self.rails_at(one).any(|piece| piece.ends().contains(&other))
     }
 
     /// Whether the map ends at a node.

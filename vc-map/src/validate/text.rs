@@ -42,6 +42,9 @@ impl fmt::Display for MapViolation {
             Self::WalkCutOff { node, nodes, metres } => {
                 write!(f, "{node} and {} more, {metres:.0} m, are cut off from the pavements", nodes - 1)
             }
+            Self::LostCrossing { junction, road } => {
+                write!(f, "the crossing over {road} at {junction} joins no paths or pavements")
+            }
             Self::CrossingInRoad { crossing, road, metres } => {
                 write!(f, "{crossing} begins or ends in {road}, {metres:.1} m from the edge of its carriageway")
             }

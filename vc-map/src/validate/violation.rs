@@ -125,7 +125,7 @@ pub enum MapViolation {
         /// The length of its edges, metres.
         metres: f64,
     },
-    /// A pavement or corner leads over a lane for cars, or over the way of those who come from it, where there is no crossing.
+    /// A pavement, path or corner leads over a lane for cars, or over the way of those who come from it, where there is no crossing.
     WalkInLane {
         /// The edge of the walkable network.
         edge: WalkEdgeId,
@@ -144,6 +144,13 @@ pub enum MapViolation {
         /// The crossing.
         crossing: CrossingId,
         /// The road.
+        road: RoadId,
+    },
+    /// The description has a crossing that joins no paths or pavements, so that the map does not have it.
+    LostCrossing {
+        /// The junction.
+        junction: JunctionId,
+        /// The road that it is to cross.
         road: RoadId,
     },
     /// A crossing begins or ends in a carriageway that it leads over, so that it is shorter than that is wide.
@@ -240,6 +247,7 @@ impl MapViolation {
             Self::WalkInLane { .. } => "pavement in a lane",
             Self::WalkGap { .. } => "pavement away from its nodes",
             Self::CrossesNothing { .. } => "crossing beside its road",
+            Self::LostCrossing { .. } => "crossing without a way",
             Self::CrossingInRoad { .. } => "crossing ends in its road",
             Self::NoCrossing { .. } => "no crossing at lights",
             Self::Unlit { .. } => "crossing and junction differ in lights",
@@ -270,6 +278,7 @@ impl MapViolation {
             Self::Tangled { road: id } | Self::Overlap { roads: [id, _], .. } => road(id),
             Self::Aside { junction: id, .. }
             | Self::MissingConflict { junction: id, .. }
+            | Self::LostCrossing { junction: id, .. }
             | Self::NoCrossing { junction: id, .. } => junction(id),
             Self::UnsafePhase { signal, .. } | Self::NeverGreen { signal, .. } | Self::NeverRed { signal } => {
                 map.signal(*signal).and_then(|signal| junction(&signal.junction))

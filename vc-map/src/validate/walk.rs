@@ -13,6 +13,8 @@ const APART: f64 = 0.05;
 /// The last part of a lane, which a corner may touch, and how near a crossing comes to the end of a road, metres.
 const END: f64 = 0.4;
 const BESIDE: f64 = 2.0;
+/// The ends of paths may lie so far in a street, metres.
+const KERB: f64 = 1.0;
 
 pub(super) fn violations(map: &StreetMap) -> Vec<MapViolation> {
     let mut found = cut_off(map);
@@ -31,6 +33,7 @@ pub(super) fn violations(map: &StreetMap) -> Vec<MapViolation> {
         found.extend(inside.map(|(road, metres)| MapViolation::CrossingInRoad { crossing, road, metres }));
         found.extend(beside.map(|road| MapViolation::CrossesNothing { crossing, road: *road }));
     }
+    found.extend(lost(map));
     for (index, junction) in map.junctions().iter().enumerate() {
         if junction.draft.control == Control::Signals {
             found.extend(no_crossing(map, JunctionId::of(index)));
@@ -51,7 +54,7 @@ fn gap(map: &StreetMap, edge: &WalkEdge) -> f64 {
     away(edge.ends[0], edge.line.start()).max(away(edge.ends[1], edge.line.end()))
 }
 
-/// A lane for cars over which a pavement or corner leads, or from which cars drive over a corner. Those who walk in a street without pavements come from its middle.
+/// A lane for cars over which a pavement, path or corner leads, or from which cars drive over a corner. Those who walk in a street without pavements come from its middle.
 fn in_lane(map: &StreetMap, edge: &WalkEdge) -> Option<LaneId> {
     let shared = |node: &WalkNodeId| {
         let edges = map.walk_edges_at(*node).iter().filter_map(|id| map.walk_edge(*id));
@@ -63,7 +66,7 @@ fn in_lane(map: &StreetMap, edge: &WalkEdge) -> Option<LaneId> {
             arms.map(|road| road.draft.layer).collect()
         }
         WalkKind::Lane(id) => {
-            let lane = map.lane(id).filter(|lane| lane.kind == StripKind::Pavement)?;
+            let lane = map.lane(id).filter(|lane| matches!(lane.kind, StripKind::Pavement | StripKind::Path))?;
             vec![map.road(lane.road)?.draft.layer]
         }
         _ => return None,
@@ -80,7 +83,10 @@ fn in_lane(map: &StreetMap, edge: &WalkEdge) -> Option<LaneId> {
             return Some(movement.from);
         }
     }
-    let [low, high] = edge.line.bounds();
+    // A path may come close to a kerb that is not straight.
+    let path = matches!(edge.kind, WalkKind::Lane(id) if map.lane(id).is_some_and(|lane| lane.kind == StripKind::Path));
+    let way = if path { edge.line.part(KERB, edge.line.length() - KERB)? } else { edge.line.clone() };
+    let [low, high] = way.bounds();
     let around = map.lanes_around(&nalgebra::center(&low, &high), (high - low).norm() / 2.0);
     let mut over = around.filter(|(id, _)| {
         map.lane(*id).is_some_and(|lane| {
@@ -88,7 +94,7 @@ fn in_lane(map: &StreetMap, edge: &WalkEdge) -> Option<LaneId> {
             let drives = lane.users.has(Users::CAR) && !lane.users.has(Users::FOOT);
             // Around a dead end one walks along the end of its lanes.
             let inner = lane.line.part(END, lane.line.length() - END);
-            drives && level && inner.is_some_and(|line| line.crosses(&edge.line))
+            drives && level && inner.is_some_and(|line| line.crosses(&way))
         })
     });
     over.next().map(|(id, _)| id)
@@ -99,6 +105,29 @@ fn crosses(map: &StreetMap, crossing: &RoadCrossing, road: RoadId) -> bool {
     let Some(road) = map.road(road) else { return true };
     let end = if road.draft.from == crossing.junction { road.line.start() } else { road.line.end() };
     road.line.crosses(&crossing.line) || (crossing.line.project(&end).point - end).norm() < BESIDE
+}
+
+/// The crossings of the description over roads that no crossing of their junction leads over.
+fn lost(map: &StreetMap) -> impl Iterator<Item = MapViolation> {
+    let made = |at: JunctionId, road: RoadId| {
+        let own = map.junction(at).into_iter().flat_map(|junction| &junction.crossings);
+        let mut own = own.filter_map(|id| map.crossing(*id)).filter(|crossing| !crossing.guessed);
+        own.any(|crossing| crossing.roads.contains(&road)) || (streets(map, at) <= 2 && has_crossing(map, at))
+    };
+    let given: std::collections::BTreeSet<_> = map.draft().crossings.iter().map(|c| (c.at, c.road)).collect();
+    let lost = given.into_iter().filter(move |(at, road)| !made(*at, *road));
+    lost.map(|(junction, road)| MapViolation::LostCrossing { junction, road })
+}
+
+/// The number of streets at a junction.
+fn streets(map: &StreetMap, id: JunctionId) -> usize {
+    let arms = map.junction(id).into_iter().flat_map(|junction| &junction.arms);
+    arms.filter(|arm| map.road(arm.road).is_some_and(|road| road.draft.class.is_street())).count()
+}
+
+fn has_crossing(map: &StreetMap, id: JunctionId) -> bool {
+    let own = map.junction(id).into_iter().flat_map(|junction| &junction.crossings);
+    own.filter_map(|id| map.crossing(*id)).any(|crossing| !crossing.guessed)
 }
 
 /// The road within which a crossing begins or ends deepest, and how deep, metres.
@@ -134,9 +163,7 @@ fn no_crossing(map: &StreetMap, id: JunctionId) -> Vec<MapViolation> {
         let over = |id: &CrossingId| map.crossing(*id).is_some_and(|crossing| crossing.roads.contains(&road));
         junction.crossings.iter().any(over)
     };
-    let streets =
-        junction.arms.iter().filter(|arm| map.road(arm.road).is_some_and(|road| road.draft.class.is_street()));
-    let alone = streets.count() <= 2;
+    let alone = streets(map, id) <= 2;
     let lost = junction.arms.iter().filter(|arm| !alone && map.road(arm.road).is_some_and(paved) && !crossed(arm.road));
     let lost = lost.map(|arm| MapViolation::NoCrossing { junction: id, road: arm.road });
     lost.collect()

@@ -145,24 +145,143 @@ fn a_crossing_that_is_mapped_in_pieces_is_as_long_as_one_in_one() {
 fn pavements_go_on_over_rails_at_any_angle() {
     for degrees in [90.0_f64, 60.0, 45.0, 30.0, 20.0] {
         let (y, x) = degrees.to_radians().sin_cos();
-        let nodes = [(1, -1.0, 0.0, ""), (2, 0.0, 0.0, ""), (3, 1.0, 0.0, ""), (4, x, y, ""), (5, -x, -y, "")];
-        for rails in ["railway=rail", "railway=tram"] {
-            let ways: [(i64, &[i64], &str); 2] =
-                [(20, &[1, 2, 3], "highway=residential sidewalk=both"), (21, &[4, 2, 5], rails)];
+        for (rails, tracks) in [("railway=rail", 1), ("railway=tram", 1), ("railway=rail", 2), ("railway=tram", 3)] {
+            // Tracks lie 4 m apart.
+            let mut nodes = vec![(1, -1.0, 0.0, ""), (2, 1.0, 0.0, "")];
+            let mut ways: Vec<(i64, Vec<i64>, &str)> = Vec::new();
+            for track in 0..tracks {
+                let (id, at) = (10 * (track + 1), 0.04 * track as f64 / y);
+                nodes.extend([(id, at, 0.0, ""), (id + 1, at + x, y, ""), (id + 2, at - x, -y, "")]);
+                ways.push((30 + track, vec![id + 1, id, id + 2], rails));
+            }
+            let street = [1].into_iter().chain((0..tracks).map(|track| 10 * (track + 1))).chain([2]).collect();
+            ways.push((20, street, "highway=residential sidewalk=both"));
+            let ways: Vec<(i64, &[i64], &str)> = ways.iter().map(|(id, refs, tags)| (*id, &refs[..], *tags)).collect();
             let (map, _) = import(&file(&nodes, &ways, ""));
             for side in [10.0, -10.0] {
                 let ends = [-90.0, 90.0].map(|x| vc_map::Point::new(x, side));
                 let walk = Router::new(&map, Mode::Foot).route(&ends[0], &ends[1]);
-                assert!(
-                    walk.as_ref().is_some_and(|w| w.metres < 183.0),
-                    "{degrees} {rails} {walk:?} {:?} {:?}",
-                    map.crossings(),
-                    map.validate()
-                );
+                assert!(walk.is_some_and(|walk| walk.metres < 183.0), "{degrees} {tracks} {:?}", map.crossings());
             }
             assert!(map.validate().iter().all(|v| v.kind() == "streets cut off"), "{degrees} {:?}", map.validate());
         }
     }
+}
+
+/// A street along X that meets one along Y with lights, a crossing over its western arm, and pavements on both sides that meet in
+/// the corners; the crossing's ways end at a corner, so far from the middle of the junction in hundreds of metres.
+fn bent(corner: f64, crossing: f64) -> (vc_map::StreetMap, vc_map::osm::ImportReport) {
+    let lit = "highway=crossing crossing=traffic_signals";
+    let nodes = [
+        (1, 0.0, 0.0, "highway=traffic_signals"),
+        (2, -1.0, 0.0, ""),
+        (3, 1.0, 0.0, ""),
+        (4, 0.0, -1.0, ""),
+        (5, 0.0, 1.0, ""),
+        (8, -crossing, 0.0, lit),
+        (10, -corner, corner, ""),
+        (11, -corner, -corner, ""),
+        (12, -1.0, corner, ""),
+        (13, -1.0, -corner, ""),
+        (14, -corner, 1.0, ""),
+        (15, -corner, -1.0, ""),
+    ];
+    let street = "highway=secondary lanes=2 width=6.5 sidewalk=separate";
+    let ways: [(i64, &[i64], &str); 5] = [
+        (20, &[2, 8, 1, 3], street),
+        (21, &[4, 1, 5], street),
+        (30, &[12, 10, 14], "highway=footway footway=sidewalk"),
+        (31, &[13, 11, 15], "highway=footway footway=sidewalk"),
+        (40, &[10, 8, 11], "highway=footway footway=crossing crossing=traffic_signals"),
+    ];
+    import(&file(&nodes, &ways, ""))
+}
+
+#[test]
+fn crossings_bend_to_the_corners_where_their_ways_meet_pavements() {
+    for crossing in [0.043, 0.05, 0.06, 0.08] {
+        let (map, _) = bent(0.043, crossing);
+        let [mapped] = map.crossings().iter().filter(|c| !c.guessed).collect::<Vec<_>>()[..] else {
+            panic!("{crossing}: {:?}", map.crossings())
+        };
+        // The two ways from the corners, cut at the kerbs.
+        assert!((6.0..9.0).contains(&mapped.line.length()), "{crossing}: {:?}", mapped.line);
+        assert_eq!(map.walk_parts().len(), 1, "{crossing}");
+        let kinds: Vec<_> = map.validate().iter().map(vc_map::MapViolation::kind).collect();
+        assert!(kinds.iter().all(|kind| *kind == "streets cut off"), "{crossing} {kinds:?}");
+    }
+}
+
+#[test]
+fn crossings_from_an_island_end_at_its_kerbs() {
+    // A slip road around an island, from which crossings lead over both streets and over the slip road.
+    let lit = "highway=crossing crossing=traffic_signals";
+    let nodes = [
+        (1, -1.5, 0.0, ""),
+        (2, 0.0, 0.0, "highway=traffic_signals"),
+        (3, 1.5, 0.0, ""),
+        (4, 0.0, -1.5, ""),
+        (31, 0.0, 1.5, ""),
+        (5, -0.45, 0.0, ""),
+        (6, 0.0, -0.45, ""),
+        (7, -0.18, -0.18, "highway=crossing crossing=unmarked"),
+        (8, -0.18, 0.0, lit),
+        (9, 0.0, -0.18, lit),
+        (27, -0.12, -0.12, ""),
+        (28, -0.24, -0.24, ""),
+        (20, -0.18, 0.08, ""),
+        (21, -1.5, 0.08, ""),
+        (23, 0.08, -0.18, ""),
+        (24, 0.08, -1.5, ""),
+        (29, -1.5, -0.24, ""),
+        (30, -0.24, -1.5, ""),
+        (40, -0.18, -0.036, ""),
+        (41, -0.036, -0.18, ""),
+        (32, -0.08, 1.5, ""),
+        (33, -0.08, 0.12, ""),
+        (34, 1.5, -0.08, ""),
+        (35, 0.08, -0.08, ""),
+    ];
+    let street = "highway=secondary lanes=2 width=6.5 sidewalk=separate";
+    let (walk, over) =
+        ("highway=footway footway=sidewalk", "highway=footway footway=crossing crossing=traffic_signals");
+    let ways: [(i64, &[i64], &str); 11] = [
+        (50, &[1, 5, 8, 2, 3], street),
+        (51, &[31, 2, 9, 6, 4], street),
+        (52, &[5, 7, 6], "highway=secondary_link oneway=yes lanes=1 sidewalk=separate"),
+        (60, &[21, 20, 33, 32], walk),
+        (61, &[24, 23, 35, 34], walk),
+        (62, &[29, 28, 30], walk),
+        (63, &[28, 7, 27], "highway=footway footway=crossing crossing=unmarked"),
+        (64, &[40, 8, 20], over),
+        (65, &[41, 9, 23], over),
+        (66, &[27, 40], "highway=footway"),
+        (67, &[27, 41], "highway=footway"),
+    ];
+    let (map, report) = import(&file(&nodes, &ways, ""));
+    let lit: Vec<f64> =
+        map.crossings().iter().filter(|c| c.kind == CrossingKind::Signals).map(|c| c.line.length()).collect();
+    assert!(lit.len() == 2 && lit.iter().all(|metres| (6.0..7.5).contains(metres)), "{lit:?} {report}");
+}
+
+#[test]
+fn a_way_over_lanes_that_no_crossing_joins_is_told() {
+    let nodes = [(1, -1.0, 0.0, ""), (3, 1.0, 0.0, ""), (4, 0.0, 0.5, ""), (5, 0.0, -0.5, "")];
+    let over = "highway=footway footway=crossing crossing=traffic_signals";
+    let ways: [(i64, &[i64], &str); 2] = [(20, &[1, 3], "highway=secondary sidewalk=no"), (21, &[4, 5], over)];
+    let (map, _) = import(&file(&nodes, &ways, ""));
+    assert!(map.validate().iter().any(|violation| violation.kind() == "pavement in a lane"), "{:?}", map.validate());
+    // A crossing that one can come to by no way.
+    let mut draft = map.draft().clone();
+    let road = vc_map::RoadId(0);
+    let at = draft.roads[0].from;
+    draft.crossings.push(vc_map::CrossingDraft { at, road, kind: CrossingKind::Marked, island: false, source: 7 });
+    let map = draft.build().unwrap();
+    assert!(
+        map.validate().iter().any(|violation| violation.kind() == "crossing without a way"),
+        "{:?}",
+        map.validate()
+    );
 }
 
 #[test]

@@ -146,7 +146,7 @@ impl Walk<'_> {
             if self.is_wide(junction) && self.is_driven_over(junction, &points) {
                 self.through.push((corner.ends, id, points));
             } else {
-                self.link(corner.ends, WalkKind::Corner(id), points);
+                self.link(corner.ends, WalkKind::Corner(id), &points);
             }
         }
     }
@@ -177,7 +177,7 @@ impl Walk<'_> {
         self.net.edges.iter().for_each(|edge| _ = parts.union(edge.ends[0].index(), edge.ends[1].index()));
         for (ends, id, points) in std::mem::take(&mut self.through) {
             if parts.union(ends[0].index(), ends[1].index()) {
-                self.link(ends, WalkKind::Corner(id), points);
+                self.link(ends, WalkKind::Corner(id), &points);
             }
         }
     }
@@ -219,10 +219,10 @@ impl Walk<'_> {
         WalkNodeId::of(self.feet.len() - 1)
     }
 
-    fn link<const N: usize>(&mut self, ends: [WalkNodeId; 2], kind: WalkKind, points: [Point; N]) {
+    fn link(&mut self, ends: [WalkNodeId; 2], kind: WalkKind, points: &[Point]) {
         // Ends at one place are joined by an edge of a centimetre.
         let short = || Polyline::new([points[0], points[0] + Vector2::new(0.01, 0.0)]);
-        let line = Polyline::new(points).or_else(short);
+        let line = Polyline::new(points.iter().copied()).or_else(short);
         self.net.edges.extend(line.map(|line| WalkEdge { ends, kind, line, steps: false }));
     }
 
@@ -240,16 +240,17 @@ impl Walk<'_> {
         &mut self,
         id: JunctionId,
         junction: &mut Junction,
-        Pair { ends, over: roads, .. }: Pair,
+        Pair { ends, over: roads, via, .. }: Pair,
         width: f64,
         (kind, island, guessed): (CrossingKind, bool, bool),
     ) {
         let [from, to] = ends.map(|ramp| self.net.nodes[ramp.index()].at);
-        let Some(line) = Polyline::new([from, to]) else { return };
+        let points: Vec<Point> = [Some(from), via, Some(to)].into_iter().flatten().collect();
+        let Some(line) = Polyline::new(points.iter().copied()) else { return };
         let crossing = CrossingId::of(self.net.crossings.len());
         self.net.crossings.push(RoadCrossing { junction: id, roads, kind, island, line, width, ramps: ends, guessed });
         junction.crossings.push(crossing);
-        self.link(ends, WalkKind::Crossing(crossing), [from, to]);
+        self.link(ends, WalkKind::Crossing(crossing), &points);
     }
 
     /// Whether a node lies on a pavement of one of some roads.

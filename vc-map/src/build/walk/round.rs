@@ -13,6 +13,11 @@ const STEPS: u32 = 64;
 /// A crossing leads over a road, or comes so near to its end, metres; a corner that leads over one so far outside of the junction
 /// is a crossing. Beyond this no way at a junction is looked for.
 const BESIDE: f64 = 1.5;
+/// Paths from a point of a street lead over it there, though the straight way between their kerbs passes so far beside, metres.
+const BENT: f64 = 8.0;
+const SAME: f64 = 1.0;
+/// A crossing bends where the straight way passes the point by more than this, metres.
+const STRAIGHT: f64 = 0.5;
 const INSIDE: f64 = 0.5;
 const REACH: f64 = 60.0;
 /// A guessed crossing leads across its roads: the cosine of its angle to them is at most this, for 45 degrees, and it is at most
@@ -27,6 +32,8 @@ const NEARLY: f64 = 0.955;
 pub(super) struct Pair {
     pub(super) ends: [WalkNodeId; 2],
     pub(super) over: Vec<RoadId>,
+    /// The point of a street from which both their paths lead, if the straight way passes beside it.
+    pub(super) via: Option<Point>,
     /// The angle between their arms, counter-clockwise.
     angle: f64,
 }
@@ -50,12 +57,30 @@ impl Walk<'_> {
         }
         let crossed = |arm: &&Arm| {
             let road = &self.roads[arm.road.index()];
-            let carriageway = self.has_carriageway(arm.road);
             let expected = pair.over.contains(&arm.road);
-            carriageway && crosses(road, arm.start, &way, expected)
+            let beside = || if self.leads_from(pair, arm) { BENT } else { BESIDE };
+            self.has_carriageway(arm.road) && crosses(road, arm.start, &way, expected.then(beside))
         };
-        pair.over = junction.arms.iter().filter(crossed).map(|arm| arm.road).collect();
+        let over: Vec<&Arm> = junction.arms.iter().filter(crossed).collect();
+        let away = |point: &Point| (way.project(point).point - point).norm();
+        let from = over.iter().filter(|arm| self.leads_from(pair, arm)).map(|arm| self.begin(arm));
+        let via = from.filter(|begin| away(begin) > STRAIGHT).last();
+        (pair.over, pair.via) = (over.into_iter().map(|arm| arm.road).collect(), via);
         corner || !pair.over.is_empty()
+    }
+
+    /// Whether both ends are those of paths from the point where an arm begins.
+    fn leads_from(&self, pair: &Pair, arm: &Arm) -> bool {
+        pair.ends.iter().all(|node| self.is_path_from(*node, &self.begin(arm)))
+    }
+
+    /// Whether a node is the end of a path that begins at a point.
+    fn is_path_from(&self, node: WalkNodeId, begin: &Point) -> bool {
+        let foot = &self.feet[node.index()];
+        let Footway::Lane(lane) = foot.way else { return false };
+        let road = &self.roads[self.lanes[lane.index()].road.index()];
+        let from = if foot.start { road.line.start() } else { road.line.end() };
+        !road.draft.class.is_street() && (from - begin).norm() < SAME
     }
 
     /// Whether a way leads across its roads rather than along them, from edge to edge, and is not much longer than they are wide. Over rails one goes
@@ -119,7 +144,7 @@ impl Walk<'_> {
                 })
                 .collect();
             if *node != other {
-                pairs.push(Pair { ends: [*node, other], over, angle: between_arms(away, &there) });
+                pairs.push(Pair { ends: [*node, other], over, via: None, angle: between_arms(away, &there) });
             }
         }
         if junction.draft.control == Control::Edge {
@@ -185,15 +210,16 @@ impl Walk<'_> {
     }
 }
 
-/// Whether a way leads over a road at a junction: one that is expected to anywhere along it or close to its end, another outside of
-/// the junction.
-fn crosses(road: &Road, start: bool, way: &Polyline, expected: bool) -> bool {
+/// Whether a way leads over a road at a junction: one that is expected to anywhere along it or so close to its end, another outside
+/// of the junction.
+fn crosses(road: &Road, start: bool, way: &Polyline, expected: Option<f64>) -> bool {
     let length = road.line.length();
-    let (near, far) = (if expected { 0.0 } else { road.cuts[usize::from(!start)] + INSIDE }, REACH.min(length));
+    let near = if expected.is_some() { 0.0 } else { road.cuts[usize::from(!start)] + INSIDE };
+    let far = REACH.min(length);
     let part = if start { road.line.part(near, far) } else { road.line.part(length - far, length - near) };
     let begin = if start { road.line.start() } else { road.line.end() };
-    let touches = || expected && (way.project(&begin).point - begin).norm() < BESIDE;
-    part.is_some_and(|part| part.crosses(way)) || touches()
+    let touches = |away: f64| (way.project(&begin).point - begin).norm() < away;
+    part.is_some_and(|part| part.crosses(way)) || expected.is_some_and(touches)
 }
 
 /// Whether two neighbours of some arms leave in nearly one direction.
