@@ -1,0 +1,25 @@
+//! Vehicles on a map of streets, for VirtualCity: car following, lane changes, right of way, lights.
+//!
+//! [`Traffic`] moves vehicles on a [`StreetMap`](vc_map::StreetMap) from where their trips begin to where these end, a tenth of a
+//! second at a time: they follow each other by the intelligent driver model, change lanes by MOBIL, stop at red lights, give way, keep
+//! junctions free, and go over junctions, which have length. Bodies never overlap; [`Traffic::overlaps`] checks that. Nothing is
+//! random but the drivers' wishes, by seed.
+
+mod advance;
+mod change;
+mod class;
+mod depart;
+mod drive;
+mod fleet;
+mod follow;
+mod network;
+mod pose;
+mod right_of_way;
+mod roads;
+mod traffic;
+mod trip;
+
+pub use class::{ClassError, VehicleClass};
+pub use pose::Pose;
+pub use traffic::{Traffic, TrafficError, TrafficOptions};
+pub use trip::{Kerb, TrafficEvent, Trip, VehicleId, Waiting};

@@ -1,0 +1,254 @@
+//! Right of way at junctions: lights, signs, who gives way to whom, and whether there is room behind.
+
+use std::cmp::Ordering;
+
+use vc_map::Light;
+
+use crate::Traffic;
+use crate::fleet::Go;
+use crate::network::NONE;
+
+/// A vehicle that comes to a line asks to go this much before it would begin to brake, metres.
+const AHEAD: f32 = 6.0;
+/// The deceleration with which one stops at yellow if that is enough, metres per second squared.
+const AT_YELLOW: f32 = 3.0;
+/// One that has waited this long is let go first, and one that has waited that long at equal rights goes, seconds.
+const PATIENCE: f32 = 60.0;
+const EQUAL: f32 = 4.0;
+/// A vehicle that goes at this speed behind a junction makes room, metres per second, for so many seconds.
+const MOVING: f32 = 3.0;
+const MAKES_ROOM: f32 = 2.5;
+/// A vehicle this slow has stopped, metres per second, at a line that is this near, metres.
+pub(crate) const STANDING: f32 = 0.2;
+const AT_LINE: f32 = 6.0;
+
+/// Somebody who asks to go.
+struct Candidate {
+    slot: u32,
+    link: u32,
+    row: usize,
+    /// Whether it gives way to others in its green, or at all where there are no lights.
+    yields: bool,
+    /// The time to the line, seconds.
+    away: f32,
+    stood: f32,
+}
+
+impl Candidate {
+    /// Those who wait for too long come first, then those who do not give way, then those who are nearer.
+    fn order(&self, other: &Self) -> Ordering {
+        let late = |candidate: &Self| candidate.stood > PATIENCE;
+        late(other)
+            .cmp(&late(self))
+            .then(self.yields.cmp(&other.yields))
+            .then(self.away.total_cmp(&other.away))
+            .then(self.link.cmp(&other.link))
+    }
+}
+
+impl Traffic {
+    /// Decides for each junction who may go. Junctions do not depend on each other.
+    pub(crate) fn right_of_way(&mut self) {
+        let network = self.network.clone();
+        let mut asking = Vec::new();
+        for junction in 0..network.rows.len() {
+            if network.ways_in[junction].is_empty() {
+                continue;
+            }
+            self.finish(junction);
+            asking.clear();
+            for lane in &network.ways_in[junction] {
+                asking.extend(self.asks(*lane));
+            }
+            if asking.is_empty() {
+                continue;
+            }
+            asking.sort_by(Candidate::order);
+            let mut kept: Vec<usize> = Vec::new();
+            for position in 0..asking.len() {
+                let given = self.decide(junction, &asking, position, &kept);
+                if !given && asking[position].stood > PATIENCE {
+                    kept.push(asking[position].row);
+                }
+            }
+        }
+    }
+
+    /// Lets those go on who wait within a junction, as soon as nobody is in their way.
+    fn finish(&mut self, junction: usize) {
+        if self.roads.inside[junction] == 0 {
+            return;
+        }
+        let network = self.network.clone();
+        for link in &network.rows[junction] {
+            let movement = network.movement(*link);
+            if self.roads.waiting[movement] == 0 {
+                continue;
+            }
+            let lane = network.from[movement];
+            let on = self.roads.queue[*link as usize].front().copied();
+            let before = self.roads.queue[lane as usize].front().copied();
+            let waits = |slot: &u32| self.fleet.go[*slot as usize] == Go::Inside;
+            let Some(slot) = on.filter(waits).or(before.filter(waits)) else { continue };
+            if self.is_clear(junction, network.row[movement] as usize, *link) {
+                self.fleet.go[slot as usize] = Go::Over;
+                self.roads.wait(&network, movement, false);
+                self.roads.take(&network, *link);
+            }
+        }
+    }
+
+    /// The first on a lane, if it comes to its line and has to ask. One that may go and can still stop loses that at red.
+    fn asks(&mut self, lane: u32) -> Option<Candidate> {
+        let slot = *self.roads.queue[lane as usize].front()?;
+        let i = slot as usize;
+        let network = &self.network;
+        let link = self.fleet.next[i];
+        if link == NONE || network.free[network.movement(link)] {
+            return None;
+        }
+        let movement = network.movement(link);
+        let light = self.light(movement);
+        let v = self.fleet.v[i];
+        let away = network.stop[lane as usize] - self.fleet.s[i];
+        let stops = matches!(light, Some(Light::Red | Light::Yellow)) && away > v * v / (2.0 * AT_YELLOW);
+        if self.fleet.go[i] != Go::No {
+            if stops && away > 0.0 {
+                self.refuse(slot);
+            }
+            return None;
+        }
+        let driver = &self.drivers[self.fleet.class[i] as usize];
+        // Beside its lane nobody goes over a junction.
+        let aside = self.fleet.aside[i].abs() > crate::change::BESIDE;
+        if stops || light == Some(Light::Red) || aside || away > driver.sight(v) + AHEAD {
+            return None;
+        }
+        if network.stops[lane as usize] && light.is_none() && (v > STANDING || away > AT_LINE) {
+            return None;
+        }
+        let row = network.row[movement] as usize;
+        let yields = match light {
+            Some(light) => light == Light::GreenYield,
+            None => !network.map.movements()[movement].yields.is_empty(),
+        };
+        Some(Candidate { slot, link, row, yields, away: away.max(0.0) / v.max(1.0), stood: self.fleet.stood[i] })
+    }
+
+    /// Takes a promise back.
+    pub(crate) fn refuse(&mut self, slot: u32) {
+        let i = slot as usize;
+        let network = self.network.clone();
+        let movement = network.movement(self.fleet.next[i]);
+        match self.fleet.go[i] {
+            Go::No => return,
+            Go::Inside => self.roads.wait(&network, movement, false),
+            Go::Over => self.roads.give(&network, self.fleet.next[i]),
+        }
+        self.fleet.go[i] = Go::No;
+        self.roads.promised[network.to[movement] as usize] -= self.room(slot);
+    }
+
+    /// Lets one who asks go, or not.
+    fn decide(&mut self, junction: usize, asking: &[Candidate], position: usize, kept: &[usize]) -> bool {
+        let network = self.network.clone();
+        let one = &asking[position];
+        let movement = network.movement(one.link);
+        let table = &network.map.junctions()[junction].conflicts;
+        if kept.iter().any(|row| table.has(one.row, *row)) || !self.has_room(one.slot, movement) {
+            return false;
+        }
+        let lit = network.map.junctions()[junction].signal.is_some();
+        if !lit && self.gives_way(junction, asking, position) {
+            return false;
+        }
+        let go = if self.is_clear(junction, one.row, one.link) {
+            self.roads.take(&network, one.link);
+            Go::Over
+        } else if self.can_wait_inside(junction, one) {
+            self.roads.wait(&network, movement, true);
+            Go::Inside
+        } else {
+            return false;
+        };
+        self.fleet.go[one.slot as usize] = go;
+        self.roads.promised[network.to[movement] as usize] += self.room(one.slot);
+        true
+    }
+
+    /// Whether somebody gives way at a junction without lights to another who comes to it, too.
+    fn gives_way(&self, junction: usize, asking: &[Candidate], position: usize) -> bool {
+        let one = &asking[position];
+        let yields = &self.network.map.movements()[self.network.movement(one.link)].yields;
+        // Nobody waits for who cannot go.
+        let could = |other: &Candidate| {
+            self.fleet.go[other.slot as usize] == Go::No
+                && self.has_room(other.slot, self.network.movement(other.link))
+                && self.is_clear(junction, other.row, other.link)
+        };
+        let others = asking.iter().enumerate().filter(|(other, _)| *other != position).map(|(_, other)| other);
+        others.filter(|other| yields.contains(&(other.row as u32)) && could(other)).any(|other| {
+            // Where all wait for each other the one that has waited longest goes, and of several the first.
+            let both = one.stood > EQUAL && other.stood > 0.0;
+            let before = one.stood > other.stood + 0.5 || (one.stood > 2.0 * EQUAL && one.link < other.link);
+            !(both && before)
+        })
+    }
+
+    /// Whether nobody is in the way of a movement.
+    fn is_clear(&self, junction: usize, row: usize, link: u32) -> bool {
+        let network = &self.network;
+        let table = &network.map.junctions()[junction].conflicts;
+        if !table.free(row, &self.roads.busy[junction]) {
+            return false;
+        }
+        if self.roads.inside[junction] == 0 {
+            return true;
+        }
+        // Those who wait within the junction are in the way of those who pass the place.
+        network.rows[junction].iter().enumerate().all(|(other, theirs)| {
+            let movement = network.movement(*theirs);
+            *theirs == link
+                || self.roads.waiting[movement] == 0
+                || !table.has(row, other)
+                || network.beyond[movement].get(row).copied().unwrap_or(false)
+        })
+    }
+
+    /// Whether one can go as far as the place within the junction where one waits for others: all in the way are beyond it.
+    fn can_wait_inside(&self, junction: usize, one: &Candidate) -> bool {
+        let network = &self.network;
+        let movement = network.movement(one.link);
+        if network.hold[movement] == 0.0
+            || self.roads.waiting[movement] > 0
+            || self.roads.taken[movement] > 0
+            || !self.roads.queue[one.link as usize].is_empty()
+        {
+            return false;
+        }
+        let table = &network.map.junctions()[junction].conflicts;
+        network.rows[junction].iter().enumerate().all(|(other, theirs)| {
+            let theirs = network.movement(*theirs);
+            let there = self.roads.taken[theirs] > 0 || self.roads.waiting[theirs] > 0;
+            !there || !table.has(one.row, other) || network.beyond[movement].get(other).copied().unwrap_or(false)
+        })
+    }
+
+    /// The room that a vehicle takes behind a junction, centimetres.
+    pub(crate) fn room(&self, slot: u32) -> u32 {
+        let driver = &self.drivers[self.fleet.class[slot as usize] as usize];
+        ((driver.length + driver.standing_gap) * 100.0).ceil() as u32
+    }
+
+    /// Whether a vehicle finds room behind a junction.
+    pub(crate) fn has_room(&self, slot: u32, movement: usize) -> bool {
+        let network = &self.network;
+        let to = network.to[movement];
+        let [needs, promised] = [self.room(slot), self.roads.promised[to as usize]].map(|room| room as f32 / 100.0);
+        let length = network.length[to as usize];
+        let tail = self.roads.tail(network, &self.fleet, &self.drivers, to);
+        let Some((rear, speed)) = tail else { return promised == 0.0 || length - promised >= needs };
+        let moves = if speed > MOVING { speed * MAKES_ROOM } else { 0.0 };
+        rear + moves - promised >= needs
+    }
+}

@@ -1,0 +1,133 @@
+//! The state of links and junctions: who is on them, in order, and who may go.
+
+use std::collections::VecDeque;
+
+use crate::fleet::Fleet;
+use crate::follow::Driver;
+use crate::network::Network;
+
+/// The end of a queue: the station of its last rear, metres, and its speed.
+pub(crate) type Tail = (f32, f32);
+
+/// Links and junctions as they are.
+#[derive(Debug, Clone)]
+pub(crate) struct Roads {
+    /// The vehicles on each link, the foremost first.
+    pub(crate) queue: Vec<VecDeque<u32>>,
+    /// A bit for each link that may have vehicles.
+    used: Vec<u64>,
+    /// For each lane: those who are leaving it sideways.
+    pub(crate) leaving: Vec<Vec<u32>>,
+    /// For each lane: the last who went over the junction, and the room that is promised to those on their way to it, centimetres.
+    pub(crate) last: Vec<u32>,
+    pub(crate) promised: Vec<u32>,
+    /// For each movement: the number of those who may go or whose body is on it, and of those who wait on it.
+    pub(crate) taken: Vec<u16>,
+    pub(crate) waiting: Vec<u16>,
+    /// For each junction: the rows that are taken, as bits, and the number of those who wait within it.
+    pub(crate) busy: Vec<Vec<u64>>,
+    pub(crate) inside: Vec<u16>,
+    /// Those whose rear still covers a movement that their front has left: the movement, and the way after which it does not, metres.
+    pub(crate) covers: Vec<(u32, u32, f32)>,
+}
+
+impl Roads {
+    pub(crate) fn new(network: &Network) -> Self {
+        let (lanes, links) = (network.lanes, network.length.len());
+        Self {
+            queue: vec![VecDeque::new(); links],
+            used: vec![0; links.div_ceil(64)],
+            leaving: vec![Vec::new(); lanes],
+            last: vec![crate::network::NONE; lanes],
+            promised: vec![0; lanes],
+            taken: vec![0; links - lanes],
+            waiting: vec![0; links - lanes],
+            busy: network.rows.iter().map(|rows| vec![0; rows.len().div_ceil(64)]).collect(),
+            inside: vec![0; network.rows.len()],
+            covers: Vec::new(),
+        }
+    }
+
+    /// The links with vehicles, in their order.
+    pub(crate) fn in_use(&mut self) -> Vec<u32> {
+        let mut links = Vec::new();
+        for (number, word) in self.used.iter_mut().enumerate() {
+            let mut left = *word;
+            while left != 0 {
+                let bit = left.trailing_zeros();
+                left &= left - 1;
+                let link = number as u32 * 64 + bit;
+                if self.queue[link as usize].is_empty() {
+                    *word &= !(1 << bit);
+                } else {
+                    links.push(link);
+                }
+            }
+        }
+        links
+    }
+
+    /// Notes that one more waits within a junction, or one fewer.
+    pub(crate) fn wait(&mut self, network: &Network, movement: usize, more: bool) {
+        let (count, all) = (&mut self.waiting[movement], &mut self.inside[network.junction[movement] as usize]);
+        if more {
+            (*count, *all) = (*count + 1, *all + 1);
+        } else {
+            (*count, *all) = (*count - 1, *all - 1);
+        }
+    }
+
+    /// Notes that one more may go over a junction, or is on the way.
+    pub(crate) fn take(&mut self, network: &Network, link: u32) {
+        let movement = network.movement(link);
+        self.taken[movement] += 1;
+        self.mark(network, movement, true);
+    }
+
+    /// Notes that one fewer is.
+    pub(crate) fn give(&mut self, network: &Network, link: u32) {
+        let movement = network.movement(link);
+        self.taken[movement] -= 1;
+        if self.taken[movement] == 0 {
+            self.mark(network, movement, false);
+        }
+    }
+
+    fn mark(&mut self, network: &Network, movement: usize, on: bool) {
+        let (junction, row) = (network.junction[movement] as usize, network.row[movement]);
+        let word = &mut self.busy[junction][row as usize / 64];
+        let bit = 1 << (row % 64);
+        *word = if on { *word | bit } else { *word & !bit };
+    }
+
+    /// The last rear on a link, with those who are leaving it sideways.
+    pub(crate) fn tail(&self, network: &Network, fleet: &Fleet, drivers: &[Driver], link: u32) -> Option<Tail> {
+        let length = |i: usize| drivers[fleet.class[i] as usize].length;
+        let last = self.queue[link as usize].back().map(|slot| *slot as usize);
+        let last = last.map(|i| (fleet.s[i] - length(i), fleet.v[i]));
+        let Some(leaving) = self.leaving.get(link as usize).filter(|leaving| !leaving.is_empty()) else { return last };
+        let aside = leaving.iter().map(|slot| {
+            let i = *slot as usize;
+            (network.across(fleet.s[i], fleet.link[i], link) - length(i), fleet.v[i])
+        });
+        aside.chain(last).min_by(|a, b| a.0.total_cmp(&b.0))
+    }
+
+    /// The position in a link's queue of the first who is behind a station.
+    pub(crate) fn position(&self, fleet: &Fleet, link: u32, station: f32) -> usize {
+        self.queue[link as usize].partition_point(|slot| fleet.s[*slot as usize] >= station)
+    }
+
+    /// Puts somebody into the queue of a link by their station.
+    pub(crate) fn enter(&mut self, fleet: &mut Fleet, link: u32, slot: u32) {
+        fleet.link[slot as usize] = link;
+        let position = self.position(fleet, link, fleet.s[slot as usize]);
+        self.used[link as usize / 64] |= 1 << (link % 64);
+        self.queue[link as usize].insert(position, slot);
+    }
+
+    /// Takes somebody out of the queue of a link.
+    pub(crate) fn leave(&mut self, link: u32, slot: u32) {
+        self.queue[link as usize].retain(|other| *other != slot);
+    }
+}

@@ -1,0 +1,92 @@
+//! Journeys, and what happens to those who make them.
+
+use serde::{Deserialize, Serialize};
+use vc_map::RoadId;
+
+/// The number of a vehicle: that of its trip in the list that was given.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+#[serde(transparent)]
+pub struct VehicleId(pub u32);
+
+impl std::fmt::Display for VehicleId {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "vehicle {}", self.0)
+    }
+}
+
+/// A place beside a road, on the side of one direction.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Kerb {
+    /// The road.
+    pub road: RoadId,
+    /// Whether it lies on the side of those who go along the road's line.
+    pub forward: bool,
+    /// How far along the lanes of that side, metres.
+    pub station: f32,
+}
+
+/// A journey by vehicle.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Trip {
+    /// The kind of vehicle: its position in the table of classes.
+    pub class: u8,
+    /// When it begins, seconds.
+    pub departs: f32,
+    /// Where it begins.
+    pub from: Kerb,
+    /// Where it ends.
+    pub to: Kerb,
+}
+
+/// Something that happened in a step.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub enum TrafficEvent {
+    /// A vehicle has set out.
+    Departed {
+        /// The vehicle.
+        vehicle: VehicleId,
+    },
+    /// A vehicle has arrived and left the road.
+    Arrived {
+        /// The vehicle.
+        vehicle: VehicleId,
+        /// The time since it set out, seconds.
+        seconds: f32,
+        /// The way that it went, metres.
+        metres: f32,
+    },
+    /// A trip cannot be made: no way leads there, or its kind of vehicle may not begin there.
+    NoWay {
+        /// The vehicle.
+        vehicle: VehicleId,
+    },
+    /// A vehicle that did not get into the lane of its way goes another one.
+    Rerouted {
+        /// The vehicle.
+        vehicle: VehicleId,
+    },
+    /// A vehicle has stood for five minutes.
+    Stuck {
+        /// The vehicle.
+        vehicle: VehicleId,
+        /// The reason.
+        reason: Waiting,
+    },
+}
+
+/// The reason for which a vehicle stands.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[non_exhaustive]
+pub enum Waiting {
+    /// Somebody stands before it.
+    Queue,
+    /// Its light is red.
+    Light,
+    /// Others are in the way at the junction, or go first.
+    Others,
+    /// There is no room behind the junction.
+    NoRoom,
+    /// It is not in a lane of its way.
+    WrongLane,
+}

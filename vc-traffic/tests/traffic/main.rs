@@ -1,0 +1,6 @@
+//! Tests of traffic through its public interface.
+
+#![allow(clippy::unwrap_used, missing_docs, reason = "a test that cannot go on fails")]
+
+mod grid;
+mod rules;
