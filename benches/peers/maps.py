@@ -1,6 +1,6 @@
 """Holds vc-map's reading and writing of real maps against SUMO's netconvert, and drives on the result.
 
-    pip install eclipse-sumo==1.26.0
+    pip install eclipse-sumo==1.28.0
     cargo build --release --example map
     python benches/peers/maps.py                   # the extracts of ../shared/data/osm, and the hand-drawn town
     python benches/peers/maps.py FILE.osm ...      # any other files
