@@ -6,6 +6,7 @@ use std::f64::consts::TAU;
 use nalgebra::Vector2;
 use vc_graph::portable::Portable;
 
+use super::crossing_rule::begins_at_crossing;
 use super::{MOST_ARMS, roundabout};
 use crate::parts::{Arm, Junction, Road};
 use crate::polyline::normal;
@@ -94,14 +95,28 @@ fn pavement(draft: &MapDraft, arm: &Arm, left: bool) -> f64 {
 pub(super) fn cuts(draft: &MapDraft, lines: &[Polyline], junctions: &[Junction]) -> Vec<[f64; 2]> {
     let mut cuts = vec![[0.0; 2]; draft.roads.len()];
     let crossed: BTreeSet<JunctionId> = draft.crossings.iter().map(|crossing| crossing.at).collect();
+    let given: BTreeSet<(JunctionId, RoadId)> =
+        draft.crossings.iter().map(|crossing| (crossing.at, crossing.road)).collect();
     for (id, junction) in junctions.iter().enumerate().filter(|(_, junction)| junction.arms.len() > 1) {
         let street = |arm: &&Arm| draft.roads[arm.road.index()].class.is_street();
         let walked = junction.arms.iter().any(|arm| !street(&arm)) || crossed.contains(&JunctionId::of(id));
+        let streets = junction.arms.iter().filter(street).count();
+        let begin = |arm: &Arm| {
+            let line = &lines[arm.road.index()];
+            if arm.start { line.start() } else { line.end() }
+        };
+        // Pavements of a street lead up to a crossing that is mapped where it begins.
+        let begins = |arm: &Arm| {
+            let own = given.contains(&(JunctionId::of(id), arm.road));
+            let paths =
+                junction.arms.iter().any(|other| !street(&other) && (begin(other) - begin(arm)).norm() <= CROSSED);
+            own && !paths && begins_at_crossing(&begin(arm), &junction.at, streets)
+        };
         for (index, arm) in junction.arms.iter().enumerate() {
             let round = junction.draft.control == Control::MiniRoundabout;
             let least = match street(&arm) {
                 true if round => roundabout::CUT,
-                true if walked => CROSSED,
+                true if walked && !begins(arm) => CROSSED,
                 _ => LEAST,
             };
             let cut = cut(draft, lines, junction, index).clamp(least, FARTHEST_CUT);

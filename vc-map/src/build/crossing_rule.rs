@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use crate::parts::Junction;
-use crate::{Control, CrossingKind, JunctionId, MapDraft, RoadClass, RoadDraft, RoadId};
+use crate::{Control, CrossingKind, JunctionId, MapDraft, Point, RoadClass, RoadDraft, RoadId};
 
 /// People cross without marks where the carriageway is narrower than this, metres, and the limit lower, metres per second.
 const NARROW: f64 = 12.0;
@@ -12,6 +12,14 @@ const SLOW: f64 = 14.0;
 /// The most carriageways in one crossing: two of a road and a slip road, and rails between them. Over more one comes in several.
 const MOST: usize = 3;
 const MOST_WITH_RAILS: usize = 5;
+
+/// A road that begins so far from the middle of its junction begins at its crossing if it has one, metres.
+const OUTSIDE: f64 = 5.0;
+
+/// Whether a road with a crossing at a junction begins where that is mapped: outside of where streets meet, or where only one goes on.
+pub(super) fn begins_at_crossing(begin: &Point, junction: &Point, streets: usize) -> bool {
+    streets <= 2 || (begin - junction).norm() > OUTSIDE
+}
 
 /// A kind of crossing, and whether there is an island.
 type Crossing = (CrossingKind, bool);
@@ -39,6 +47,11 @@ impl<'a> CrossingRule<'a> {
             *known = (known.0.min(crossing.kind), known.1 || crossing.island);
         }
         Self { draft, given }
+    }
+
+    /// Whether the map has a crossing over a road at a junction.
+    pub(super) fn is_given(&self, at: JunctionId, road: RoadId) -> bool {
+        self.given.contains_key(&(at, road))
     }
 
     fn road(&self, id: RoadId) -> &RoadDraft {

@@ -1,9 +1,15 @@
 //! The facts that nodes of streets tell: lights, crossings, stop signs.
 
+use std::collections::{BTreeMap, BTreeSet};
+
 use super::network::{Network, Part};
 use super::street::access;
 use super::tags::Tags;
+use super::{Guessed, ImportReport};
 use crate::{CrossingKind, SignKind, Users};
+
+/// A signal at most so far from a lit crossing stands at its stop line, metres.
+const STOP_LINE: f64 = 8.0;
 
 /// The facts that a node of a street tells.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -56,6 +62,62 @@ impl Network<'_> {
                 marks.island |= tags.is("crossing:island", "yes");
             }
         }
+    }
+}
+
+impl Network<'_> {
+    /// Gives the signals that stand at the stop lines of crossings to these: what lies between the two is no road.
+    pub(super) fn join_stop_lines(&mut self, parts: &[Part], report: &mut ImportReport) {
+        let mut walked = BTreeSet::new();
+        let streets = |part: &&Part| self.streets[part.street].class.is_street();
+        for part in parts.iter().filter(|part| !streets(part)) {
+            walked.extend(part.nodes.iter().copied());
+        }
+        let mut lines: BTreeMap<u32, u32> = BTreeMap::new();
+        for part in parts.iter().filter(streets) {
+            for (place, node) in part.nodes.iter().enumerate() {
+                let marks = self.marks.get(node).copied().unwrap_or_default();
+                if !marks.signals || marks.crossing.is_some() || walked.contains(node) {
+                    continue;
+                }
+                let found = self.crossing_beside(&part.nodes, place);
+                found.into_iter().for_each(|crossing| _ = lines.insert(*node, crossing));
+            }
+        }
+        for (line, crossing) in lines {
+            let Some(id) = self.id(crossing) else { continue };
+            let Some(marks) = self.marks.get_mut(&line) else { continue };
+            let forward_only = marks.forward_only;
+            marks.signals = false;
+            let marks = self.marks.entry(crossing).or_default();
+            marks.forward_only = if marks.signals && marks.forward_only != forward_only { None } else { forward_only };
+            marks.signals = true;
+            let element = self.element(line);
+            self.source.keep(element);
+            report.guess(element, Guessed::SignalAt(id));
+        }
+    }
+
+    /// The lit crossing of a street that is nearest to one of its nodes, at most some metres along it.
+    fn crossing_beside(&self, nodes: &[u32], place: usize) -> Option<u32> {
+        let lit = |node: &u32| self.marks.get(node).is_some_and(|marks| marks.crossing == Some(CrossingKind::Signals));
+        let mut found: Option<(f64, u32)> = None;
+        for onward in [true, false] {
+            let (mut at, mut length) = (place, 0.0);
+            while let Some(next) = if onward { at.checked_add(1) } else { at.checked_sub(1) } {
+                let Some(node) = nodes.get(next) else { break };
+                length += (self.point(*node) - self.point(nodes[at])).norm();
+                at = next;
+                if length > STOP_LINE {
+                    break;
+                }
+                if lit(node) {
+                    found = found.filter(|(nearest, _)| *nearest <= length).or(Some((length, *node)));
+                    break;
+                }
+            }
+        }
+        found.map(|(_, node)| node)
     }
 }
 

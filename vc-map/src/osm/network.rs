@@ -78,6 +78,7 @@ impl<'a> Network<'a> {
         network.separate_pavements(&parts, report);
         network.link_crossings(&mut parts, report);
         network.mark(&parts);
+        network.join_stop_lines(&parts, report);
         network.cut(parts, report);
         network.join_in_carriageways();
         network.merge();

@@ -212,6 +212,73 @@ fn crossings_bend_to_the_corners_where_their_ways_meet_pavements() {
     }
 }
 
+/// A crossroads with lights and a lit crossing on each arm, so far from its middle in hundreds of metres: with stop lines behind these,
+/// pavements apart or as tags, and streets with these tags.
+fn crossroads(
+    crossing: f64,
+    stop: Option<f64>,
+    apart: bool,
+    street: &str,
+) -> (vc_map::StreetMap, vc_map::osm::ImportReport) {
+    let lit = "highway=crossing crossing=traffic_signals";
+    let mut nodes = vec![(1, 0.0, 0.0, if stop.is_some() { "" } else { "highway=traffic_signals" })];
+    let mut ways: Vec<(i64, Vec<i64>, &str)> = Vec::new();
+    for arm in 0..4_i64 {
+        let [x, y] = [[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0], [0.0, -1.0]][arm as usize];
+        let at = |along: f64, left: f64| (x * along - y * left, y * along + x * left);
+        let mut node = |id: i64, (x, y): (f64, f64), tags| nodes.push((id, x, y, tags));
+        let id = 10 * (arm + 1);
+        node(id, at(1.0, 0.0), "");
+        node(id + 1, at(crossing, 0.0), lit);
+        let mut way = vec![id];
+        if let Some(stop) = stop {
+            node(id + 2, at(crossing + stop, 0.0), "highway=traffic_signals traffic_signals:direction=forward");
+            way.push(id + 2);
+        }
+        way.extend([id + 1, 1]);
+        ways.push((100 + arm, way, street));
+        if apart {
+            // The corner to its left, and the pavements and crossing that lead there.
+            let next = 10 * ((arm + 1) % 4 + 1);
+            node(id + 3, at(crossing, 0.06), "");
+            node(id + 4, at(crossing, -0.06), "");
+            node(id + 5, at(1.0, 0.06), "");
+            node(id + 6, at(1.0, -0.06), "");
+            ways.push((
+                200 + arm,
+                vec![id + 3, id + 1, id + 4],
+                "highway=footway footway=crossing crossing=traffic_signals",
+            ));
+            ways.push((300 + arm, vec![id + 5, id + 3, next + 4, next + 6], "highway=footway footway=sidewalk"));
+        }
+    }
+    let ways: Vec<(i64, &[i64], &str)> = ways.iter().map(|(id, refs, tags)| (*id, &refs[..], *tags)).collect();
+    import(&file(&nodes, &ways, ""))
+}
+
+#[test]
+fn crossings_lie_where_they_are_mapped() {
+    let separate = "highway=secondary lanes=2 width=6.5 sidewalk=separate";
+    let tagged = "highway=secondary lanes=2 width=6.5 sidewalk=both";
+    let bare = "highway=residential lanes=2 width=6.5 sidewalk=no";
+    for (apart, street) in [(true, separate), (false, tagged), (true, bare)] {
+        for crossing in [0.09, 0.12] {
+            for stop in [None, Some(0.015), Some(0.03), Some(0.05)] {
+                let (map, report) = crossroads(crossing, stop, apart, street);
+                let told = format!("{street} {crossing} {stop:?} {:?}", map.crossings());
+                let lit: Vec<_> = map.crossings().iter().filter(|c| c.kind == CrossingKind::Signals).collect();
+                assert_eq!(lit.len(), 4, "{told} {report}");
+                for crossed in lit {
+                    let middle = crossed.line.at(crossed.line.length() / 2.0).coords.norm();
+                    assert!((middle - crossing * 100.0).abs() < 1.1, "{middle} {told}");
+                }
+                assert_eq!((map.signals().len(), map.walk_parts().len()), (1, 1), "{told}");
+                assert!(map.validate().iter().all(|v| v.kind() == "streets cut off"), "{:?} {told}", map.validate());
+            }
+        }
+    }
+}
+
 #[test]
 fn crossings_from_an_island_end_at_its_kerbs() {
     // A slip road around an island, from which crossings lead over both streets and over the slip road.

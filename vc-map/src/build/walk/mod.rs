@@ -108,7 +108,7 @@ impl Walk<'_> {
     fn junction(&mut self, id: JunctionId, junction: &mut Junction) {
         let at = self.rule.at(id, junction);
         let mut pairs = self.pairs(id, junction);
-        pairs.retain_mut(|pair| self.fits(junction, pair));
+        pairs.retain_mut(|pair| self.fits(id, junction, pair));
         let (corners, mut over): (Vec<Pair>, Vec<Pair>) = pairs.into_iter().partition(|pair| pair.over.is_empty());
         let ends = |pair: &Pair| (pair.ends[0].min(pair.ends[1]), pair.ends[0].max(pair.ends[1]));
         let round: BTreeSet<_> = corners.iter().map(ends).collect();
@@ -126,7 +126,7 @@ impl Walk<'_> {
             let guess = !round.contains(&ends(&pair)) && self.leads_across(junction, &pair);
             let guessed = || guess.then(|| self.rule.guess(&at, &pair.over, first)).flatten();
             if let Some((kind, island)) = known.or_else(guessed) {
-                let width = self.ramps(&pair);
+                let width = self.ramps(id, junction, &pair);
                 chosen.push((pair, width, (kind, island, known.is_none())));
             }
         }
@@ -227,10 +227,10 @@ impl Walk<'_> {
     }
 
     /// Sets the ramps of a crossing along the pavements, and tells its width, metres.
-    fn ramps(&mut self, Pair { ends, over, .. }: &Pair) -> f64 {
+    fn ramps(&mut self, id: JunctionId, junction: &Junction, Pair { ends, over, .. }: &Pair) -> f64 {
         let major = over.iter().any(|road| self.roads[road.index()].draft.class <= RoadClass::Secondary);
         let width = if major { WIDTHS[0] } else { WIDTHS[1] };
-        if ends.iter().all(|node| self.is_pavement_of(*node, over)) {
+        if ends.iter().all(|node| self.is_pavement_of(*node, over)) && !self.is_mapped_at(id, junction, over) {
             ends.iter().for_each(|node| self.set_back(*node, BEHIND + width / 2.0));
         }
         width

@@ -4,6 +4,7 @@ use nalgebra::Vector2;
 use vc_graph::portable::Portable;
 
 use super::{Footway, Walk};
+use crate::build::crossing_rule::begins_at_crossing;
 use crate::parts::{Arm, Junction, Road};
 use crate::{Control, DrivingSide, JunctionId, Point, Polyline, RoadId, Users, WalkNodeId};
 
@@ -47,7 +48,7 @@ enum Item {
 impl Walk<'_> {
     /// Sets the roads over which the straight way between two ends leads, and tells whether it is one: where a street has a
     /// pavement on one side only, the way around its other side crosses nothing.
-    pub(super) fn fits(&self, junction: &Junction, pair: &mut Pair) -> bool {
+    pub(super) fn fits(&self, id: JunctionId, junction: &Junction, pair: &mut Pair) -> bool {
         let [from, to] = pair.ends.map(|node| self.net.nodes[node.index()].at);
         let Some(way) = Polyline::new([from, to]) else { return pair.over.is_empty() };
         let corner = pair.over.is_empty();
@@ -59,19 +60,35 @@ impl Walk<'_> {
             let road = &self.roads[arm.road.index()];
             let expected = pair.over.contains(&arm.road);
             let beside = || if self.leads_from(pair, arm) { BENT } else { BESIDE };
-            self.has_carriageway(arm.road) && crosses(road, arm.start, &way, expected.then(beside))
+            let carriageway = self.has_carriageway(arm.road) || (expected && self.rule.is_given(id, arm.road));
+            carriageway && crosses(road, arm.start, &way, expected.then(beside))
         };
         let over: Vec<&Arm> = junction.arms.iter().filter(crossed).collect();
         let away = |point: &Point| (way.project(point).point - point).norm();
         let from = over.iter().filter(|arm| self.leads_from(pair, arm)).map(|arm| self.begin(arm));
-        let via = from.filter(|begin| away(begin) > STRAIGHT).last();
+        let via = from.filter(|begin| away(begin) > STRAIGHT).next_back();
         (pair.over, pair.via) = (over.into_iter().map(|arm| arm.road).collect(), via);
         corner || !pair.over.is_empty()
+    }
+
+    /// Whether the map has a crossing where one of some roads begins.
+    pub(super) fn is_mapped_at(&self, id: JunctionId, junction: &Junction, roads: &[RoadId]) -> bool {
+        let street = |arm: &&Arm| self.roads[arm.road.index()].draft.class.is_street();
+        let streets = junction.arms.iter().filter(street).count();
+        let begins = |arm: &Arm| begins_at_crossing(&self.begin(arm), &junction.at, streets);
+        let own = junction.arms.iter().filter(|arm| roads.contains(&arm.road) && self.rule.is_given(id, arm.road));
+        own.into_iter().any(begins)
     }
 
     /// Whether both ends are those of paths from the point where an arm begins.
     fn leads_from(&self, pair: &Pair, arm: &Arm) -> bool {
         pair.ends.iter().all(|node| self.is_path_from(*node, &self.begin(arm)))
+    }
+
+    /// Whether a node is an end of a path.
+    fn is_path(&self, node: WalkNodeId) -> bool {
+        let Footway::Lane(lane) = self.feet[node.index()].way else { return false };
+        !self.roads[self.lanes[lane.index()].road.index()].draft.class.is_street()
     }
 
     /// Whether a node is the end of a path that begins at a point.
@@ -145,6 +162,23 @@ impl Walk<'_> {
                 .collect();
             if *node != other {
                 pairs.push(Pair { ends: [*node, other], over, via: None, angle: between_arms(away, &there) });
+            }
+        }
+        // Where people walk in a street, and the map has a crossing, one crosses there, too.
+        for (position, (place, away, node)) in ends.iter().enumerate() {
+            let Footway::Shared(road) = self.feet[node.index()].way else { continue };
+            let around = [ends.len() - 1, 1].map(|step| ends[(position + step) % ends.len()]);
+            let paths = around.iter().all(|(_, _, end)| self.is_path(*end))
+                && around[0].0 != around[1].0
+                && *place < items.len();
+            if paths && self.rule.is_given(id, road) {
+                let [from, to] = around;
+                pairs.push(Pair {
+                    ends: [from.2, to.2],
+                    over: vec![road],
+                    via: None,
+                    angle: between_arms(&from.1, away),
+                });
             }
         }
         if junction.draft.control == Control::Edge {
