@@ -18,6 +18,8 @@ pub(super) struct Marks {
     pub(super) signals: bool,
     /// Whether they are for those only who come along the road, or against it.
     pub(super) forward_only: Option<bool>,
+    /// Whether they stand at its stop line, before a crossing.
+    pub(super) stop_line: bool,
     /// A crossing.
     pub(super) crossing: Option<CrossingKind>,
     pub(super) island: bool,
@@ -73,14 +75,21 @@ impl Network<'_> {
         for part in parts.iter().filter(|part| !streets(part)) {
             walked.extend(part.nodes.iter().copied());
         }
+        // Where streets meet it is theirs.
+        let mut arms: BTreeMap<u32, u32> = BTreeMap::new();
+        for nodes in parts.iter().filter(streets).map(|part| &part.nodes) {
+            nodes.iter().for_each(|node| *arms.entry(*node).or_default() += 2);
+            nodes.first().into_iter().chain(nodes.last()).for_each(|end| *arms.entry(*end).or_default() -= 1);
+        }
+        let meet = |node: &u32| arms.get(node).is_some_and(|count| *count > 2);
         let mut lines: BTreeMap<u32, u32> = BTreeMap::new();
         for part in parts.iter().filter(streets) {
             for (place, node) in part.nodes.iter().enumerate() {
                 let marks = self.marks.get(node).copied().unwrap_or_default();
-                if !marks.signals || marks.crossing.is_some() || walked.contains(node) {
+                if !marks.signals || marks.crossing.is_some() || walked.contains(node) || meet(node) {
                     continue;
                 }
-                let found = self.crossing_beside(&part.nodes, place);
+                let found = self.crossing_beside(&part.nodes, place, meet);
                 found.into_iter().for_each(|crossing| _ = lines.insert(*node, crossing));
             }
         }
@@ -91,15 +100,15 @@ impl Network<'_> {
             marks.signals = false;
             let marks = self.marks.entry(crossing).or_default();
             marks.forward_only = if marks.signals && marks.forward_only != forward_only { None } else { forward_only };
-            marks.signals = true;
+            (marks.signals, marks.stop_line) = (true, true);
             let element = self.element(line);
             self.source.keep(element);
             report.guess(element, Guessed::SignalAt(id));
         }
     }
 
-    /// The lit crossing of a street that is nearest to one of its nodes, at most some metres along it.
-    fn crossing_beside(&self, nodes: &[u32], place: usize) -> Option<u32> {
+    /// The lit crossing of a street that is nearest to one of its nodes, at most some metres along it and before streets meet.
+    fn crossing_beside(&self, nodes: &[u32], place: usize, meet: impl Fn(&u32) -> bool) -> Option<u32> {
         let lit = |node: &u32| self.marks.get(node).is_some_and(|marks| marks.crossing == Some(CrossingKind::Signals));
         let mut found: Option<(f64, u32)> = None;
         for onward in [true, false] {
@@ -113,6 +122,8 @@ impl Network<'_> {
                 }
                 if lit(node) {
                     found = found.filter(|(nearest, _)| *nearest <= length).or(Some((length, *node)));
+                }
+                if lit(node) || meet(node) {
                     break;
                 }
             }

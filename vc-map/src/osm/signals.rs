@@ -140,12 +140,12 @@ fn vehicles(network: &Network<'_>, clusters: &Clusters, report: &mut ImportRepor
         let element = Element::Node(id(network, *node));
         if clusters.is_junction(network, *node) || (marks.signals && network.has_rails(*node)) {
             lit.insert(clusters.of(*node));
-        } else if crossing {
+        } else if crossing && !marks.stop_line {
             // A crossing for people between junctions.
         } else if let Some(ahead) = ahead(network, clusters, *node, marks.forward_only) {
             report.guess(element, Guessed::SignalAt(id(network, ahead)));
             lit.insert(clusters.of(ahead));
-        } else {
+        } else if !crossing {
             report.drop(element, Reason::NoJunction);
         }
     }

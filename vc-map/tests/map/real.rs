@@ -92,7 +92,7 @@ fn tables_are_whole_phases_safe_and_the_core_can_be_walked() {
             // Kerbs are mapped nearer to each other, or more to one side, than the lanes by rule are.
             "midtown" => &[("crossing ends in its road", 5)],
             "leeds_cycleway" => {
-                &[("crossing ends in its road", 9), ("no crossing at lights", 1), ("pavement in a lane", 6)]
+                &[("crossing ends in its road", 8), ("no crossing at lights", 1), ("pavement in a lane", 6)]
             }
             _ => &[],
         };
