@@ -1,8 +1,8 @@
 //! Queries about space: nodes within a distance, nearest points, rays, lines of sight.
 
 use nalgebra::{Point3, Vector3};
-use rapier3d::geometry::{Collider, ColliderHandle, Ray};
-use rapier3d::math::Pose as EnginePose;
+use rapier3d::geometry::{Collider, ColliderHandle, Ray, Shape};
+use rapier3d::math::{Pose as EnginePose, Vector};
 use rapier3d::pipeline::QueryFilter;
 use vc_graph::NodeId;
 
@@ -66,6 +66,13 @@ impl PhysicsWorld {
         points.min_by(|a, b| (a - to).norm_squared().total_cmp(&(b - to).norm_squared()))
     }
 
+    /// The height of the lowest point of a thing's shapes, metres.
+    pub(crate) fn lowest(&self, thing: &Thing) -> Option<f32> {
+        let bodies = thing.bodies().filter_map(|b| self.engine.bodies.get(b));
+        let colliders = bodies.flat_map(|b| b.colliders()).filter_map(|&c| self.engine.colliders.get(c));
+        colliders.map(|c| lowest(c.shape(), c.position())).reduce(f32::min)
+    }
+
     /// Distance of a point from the nearest point of a thing.
     pub(crate) fn distance_to(&self, id: NodeId, point: Point3<f32>) -> Result<f32, PhysicsError> {
         let thing = self.thing(id)?;
@@ -88,5 +95,17 @@ impl PhysicsWorld {
             Some((hit, _)) => hit == id,
         };
         Ok(std::iter::once(centre).chain((0..8).map(corner)).any(clear))
+    }
+}
+
+/// The height of the lowest point of a shape. A compound's box is wider than that of its turned pieces.
+fn lowest(shape: &dyn Shape, at: &EnginePose) -> f32 {
+    match (shape.as_compound(), shape.as_support_map()) {
+        (Some(pieces), _) => {
+            let each = pieces.shapes().iter().map(|(own, piece)| lowest(&**piece, &(*at * *own)));
+            each.fold(f32::INFINITY, f32::min)
+        }
+        (None, Some(solid)) => solid.support_point(at, -Vector::Z).z,
+        (None, None) => shape.compute_aabb(at).mins.z,
     }
 }

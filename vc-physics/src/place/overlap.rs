@@ -44,6 +44,50 @@ impl PhysicsWorld {
         Ok(self.overlapped(thing, pose, &NONE))
     }
 
+    /// The nodes of which something is in a box, by number: the sides of the box, metres, and the pose of its middle. Touching
+    /// it is not being in it.
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    /// # let world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
+    /// use nalgebra::Vector3;
+    /// use vc_graph::Pose;
+    /// let above = |height: f32| world.in_box(Vector3::repeat(0.1), &Pose::translation(1.0, 0.0, 0.74 + height));
+    /// assert_eq!((above(0.06), above(0.3)), (vec![home.cup], vec![]));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn in_box(&self, size: Vector3<f32>, pose: &Pose) -> Vec<NodeId> {
+        let (half, mut found) = (size / 2.0, Vec::new());
+        if is_size(&half) && convert::is_sound(pose) {
+            let shape = SharedShape::cuboid(half.x, half.y, half.z);
+            self.each_overlap((&shape, &convert::pose(pose)), NodeId(u32::MAX), &NONE, &mut |node| {
+                found.push(node);
+                true
+            });
+        }
+        found.sort_unstable();
+        found.dedup();
+        found
+    }
+
+    /// The nodes that the moving parts of a node overlap by more than some metres when they are shut.
+    pub(crate) fn met_when_shut(&self, id: NodeId, deeper: f32) -> Vec<NodeId> {
+        let parts = 0..self.thing(id).map_or(0, |thing| thing.state.moving.len());
+        let mut found = Vec::new();
+        for (shape, at) in parts.filter_map(|part| self.part_at(id, part, 0.0).ok().flatten()) {
+            let other = |c: &Collider| group::is_solid(c) && group::marked(c.user_data).0 != id;
+            self.each_met((&shape, &at), &other, &NONE, &mut |collider, between| {
+                if distance(&shape, &between, collider).flatten().is_some_and(|distance| distance < -deeper) {
+                    found.push(group::marked(collider.user_data).0);
+                }
+                true
+            });
+        }
+        found.sort_unstable();
+        found.dedup();
+        found
+    }
+
     /// The things that a thing would overlap at a pose, where some bodies are displaced.
     pub(crate) fn overlapped(&self, thing: &Thing, pose: &Pose, displaced: &Displaced) -> Vec<NodeId> {
         let mut found: Vec<NodeId> = Vec::new();

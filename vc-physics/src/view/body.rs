@@ -125,6 +125,19 @@ impl BodyView<'_> {
         self.world.nearest_point(self.thing, to)
     }
 
+    /// The height of its lowest point, metres: exact, however it is turned, where the [box](PhysicsWorld::aabb) around it may
+    /// reach lower. `None` for a body without shapes.
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
+    /// assert!((world.body(home.table)?.lowest().ok_or("no shape")?).abs() < 1e-4);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn lowest(&self) -> Option<f32> {
+        self.world.lowest(self.thing)
+    }
+
     /// The middle of a side of the box around it, in the world's frame, metres, and the direction out of it.
     ///
     /// ```

@@ -117,6 +117,21 @@ impl PartsView<'_> {
         self.world.blockers(self.id, open)
     }
 
+    /// The nodes into which the parts reach when they are shut, by more than some metres, sorted by number.
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
+    /// let drawer = world.pose(home.cabinet).ok_or("no cabinet")?;
+    /// assert!(world.parts(home.cabinet).reach_into_when_shut(0.01).is_empty());
+    /// world.place(home.cup, drawer * vc_graph::Pose::translation(0.0, 0.0, 0.16))?;
+    /// assert_eq!(world.parts(home.cabinet).reach_into_when_shut(0.01), [home.cup]);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn reach_into_when_shut(&self, deeper: f32) -> Vec<NodeId> {
+        self.world.met_when_shut(self.id, deeper)
+    }
+
     /// Whether a thing at a pose would keep the parts from being shut: if it stands on a drawer or a rack, on the way
     /// in, and otherwise where the open parts have to go. Nothing keeps open what is shut, or has no parts that move.
     ///

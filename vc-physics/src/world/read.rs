@@ -92,7 +92,8 @@ impl PhysicsWorld {
         self.thing(id).ok().map(|t| t.state.role)
     }
 
-    /// The box around a node's shapes as they are now, moving parts with them.
+    /// The box around a node's shapes as they are now, moving parts with them; of what is tilted it is the box around its
+    /// tilted box, which may be larger.
     ///
     /// ```
     /// # let home = vc_testkit::kitchen::kitchen();
