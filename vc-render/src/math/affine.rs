@@ -96,6 +96,15 @@ impl Affine {
     }
 }
 
+/// The composition of two maps: first `first`, then `then`.
+pub(crate) fn composed(then: &Narrow, first: &Narrow) -> Narrow {
+    let row = |r: usize| {
+        let cell = |c: usize| (0..3).map(|k| then[r][k] * first[k][c]).sum::<f32>();
+        [cell(0), cell(1), cell(2), cell(3) + then[r][3]]
+    };
+    [row(0), row(1), row(2)]
+}
+
 /// Maps a point.
 #[inline(always)]
 pub(crate) fn point(m: &Narrow, p: [f32; 3]) -> [f32; 3] {

@@ -6,7 +6,7 @@ mod sampling;
 pub(crate) mod simd;
 mod vector;
 
-pub(crate) use affine::{Affine, Narrow, normal, point, vector};
+pub(crate) use affine::{Affine, Narrow, composed, normal, point, vector};
 pub(crate) use bounds::{Ball, Bounds};
 pub(crate) use sampling::{basis, cosine_weighted, low_discrepancy};
 pub(crate) use vector::{cross, dot, longest, scaled, three, unit, volume};

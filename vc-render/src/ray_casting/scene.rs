@@ -212,12 +212,14 @@ impl SurfaceHit<'_> {
             return Appearance { colour: surface.colour, roughness: surface.roughness, normal: self.normal };
         }
         let built = matches!(surface.role, Role::Built | Role::Floor);
-        let (local, facing) = if built {
-            (self.at, math::longest(self.flat))
-        } else {
-            (math::point(&self.instance.inverse, self.at), self.face.axis)
+        let (local, facing, axes) = match self.instance.ground.as_deref().filter(|_| built) {
+            Some(ground) => {
+                let facing = math::longest(math::vector(&ground.inverse, self.flat));
+                (math::point(&ground.inverse, self.at), facing, ground.world.narrow())
+            }
+            None if built => (self.at, math::longest(self.flat), Affine::IDENTITY.narrow()),
+            None => (math::point(&self.instance.inverse, self.at), self.face.axis, self.instance.world.narrow()),
         };
-        let axes = if built { Affine::IDENTITY.narrow() } else { self.instance.world.narrow() };
         textured(surface, (local, facing, self.face.grain), &axes, self.normal, footprint)
     }
 }

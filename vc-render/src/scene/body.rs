@@ -86,6 +86,8 @@ pub(crate) struct Instance {
     pub(crate) ball: Ball,
     /// Whether the map reverses the winding of triangles.
     pub(crate) mirrored: bool,
+    /// The frame in which the textures of floors and walls lie, if it is not the world's.
+    pub(crate) ground: Option<Arc<Ground>>,
     /// The coat that lies on it.
     pub(crate) coat: Coat,
     /// For the liquid in a vessel: whether it is there.
@@ -96,6 +98,22 @@ pub(crate) struct Instance {
     pub(super) tied: Option<Tied>,
     /// Whether its body is hidden.
     pub(super) hidden: bool,
+}
+
+/// The frame of a scene that is drawn beside others: textures of its floors and walls lie in it as in pictures of it alone.
+#[derive(Debug, Clone)]
+pub(crate) struct Ground {
+    /// The map from it to the world.
+    pub(crate) world: Affine,
+    /// The map from the world to it.
+    pub(crate) inverse: Narrow,
+}
+
+impl Ground {
+    pub(super) fn new(world: Affine) -> Self {
+        let inverse = world.inverse().unwrap_or(Affine::IDENTITY).narrow();
+        Self { world, inverse }
+    }
 }
 
 /// A liquid in a vessel, which may be empty.
@@ -155,8 +173,10 @@ impl Instance {
     }
 
     /// Moves it by a map, wherever it is.
-    pub(super) fn shift(&mut self, by: &Affine) {
-        self.world = by.after(&self.world);
+    pub(super) fn shift(&mut self, by: &Arc<Ground>) {
+        let ground = self.ground.as_ref().map(|own| Arc::new(Ground::new(by.world.after(&own.world))));
+        self.ground = Some(ground.unwrap_or_else(|| by.clone()));
+        self.world = by.world.after(&self.world);
         self.settle();
     }
 

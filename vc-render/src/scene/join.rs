@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use vc_graph::{Aabb, NodeId, ObjectRole, Pose};
 
-use super::{Body, Instance, NO_ROOM, Snapshot, Stands};
+use super::{Body, Ground, Instance, NO_ROOM, Snapshot, Stands};
 use crate::RenderError;
 use crate::math::Affine;
 
@@ -109,9 +109,9 @@ impl Snapshot {
 
     /// Moves everything by a pose.
     fn shift(&mut self, by: &Pose) {
-        let map = Affine::from_pose(by);
+        let ground = Arc::new(Ground::new(Affine::from_pose(by)));
         self.bodies.iter_mut().for_each(|body| body.pose = by * body.pose);
-        self.instances.iter_mut().for_each(|instance| instance.shift(&map));
+        self.instances.iter_mut().for_each(|instance| instance.shift(&ground));
         let bounds = self.bounds.iter().map(|bounds| bounds.map(|bounds| shifted(&bounds, by)));
         self.bounds = Arc::new(bounds.collect());
     }

@@ -11,6 +11,6 @@ mod snapshot;
 mod store;
 mod untied;
 
-pub(crate) use body::{Body, Gives, Instance, NO_ROOM, Stands};
+pub(crate) use body::{Body, Gives, Ground, Instance, NO_ROOM, Stands};
 pub use snapshot::Snapshot;
 pub(crate) use store::{MOST_SURFACES, Store};

@@ -281,6 +281,7 @@ fn instance(
         inverse,
         ball: Ball::default(),
         mirrored: false,
+        ground: None,
         coat,
         liquid,
         drawn: None,

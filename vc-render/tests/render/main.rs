@@ -5,6 +5,7 @@
 mod common;
 
 mod amodal;
+mod beside;
 mod boxes;
 mod camera;
 mod colours;

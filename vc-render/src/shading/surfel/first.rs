@@ -34,16 +34,20 @@ impl Writer<'_> {
         }
         let built = matches!(surface.role, Role::Built | Role::Floor);
         let plain = surface.pattern == Pattern::Plain;
-        let turned = || math::longest(math::normal(&instance.inverse, mesh.normals[visible.index()][0]));
+        let ground = instance.ground.as_deref();
+        let turned = || {
+            let normal = math::normal(&instance.inverse, mesh.normals[visible.index()][0]);
+            math::longest(ground.map_or(normal, |ground| math::vector(&ground.inverse, normal)))
+        };
         let facing = if built { turned() } else { face.axis };
         let (u, v) = if plain { (0, 0) } else { crate::surface::texture_axes(surface.pattern, (facing, face.grain)) };
         let way = 3 * u + v;
         if known.groups[group as usize].paints[way] == NONE {
             let texture = (!plain).then(|| {
-                let (back, axes) = if built {
-                    (self.world, UNMOVED)
-                } else {
-                    (known.maps(visible.instance, instances, &self.frustum)[1], instance.world.narrow())
+                let (back, axes) = match ground.filter(|_| built) {
+                    Some(ground) => (math::composed(&ground.inverse, &self.world), ground.world.narrow()),
+                    None if built => (self.world, UNMOVED),
+                    None => (known.maps(visible.instance, instances, &self.frustum)[1], instance.world.narrow()),
                 };
                 Texture::tile(Tile::for_pattern(surface.pattern), (u, v), (&back, &axes))
             });
