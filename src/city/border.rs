@@ -56,7 +56,7 @@ impl City {
     }
 
     /// The frame of a region where one of its portals is there.
-    fn frame_at(&self, region: RegionId, portal: &Portal) -> Option<RegionFrame> {
+    pub(super) fn frame_at(&self, region: RegionId, portal: &Portal) -> Option<RegionFrame> {
         Some(self.space().region(region)?.frame_at(portal.stop as usize))
     }
 

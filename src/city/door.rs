@@ -113,9 +113,19 @@ impl City {
 
     /// Begins to open or shut the door of a portal from outside.
     pub(super) fn reach_for(&self, agent: NodeId, action: &Action) -> Result<Stage, CityError> {
+        if self.is_pushed_there(agent, action) {
+            return Ok(Stage::Handling(self.tick));
+        }
         let refusals = self.refusals_beyond(agent, action)?;
         let until = self.tick + LEAF;
         if refusals.is_empty() { Ok(Stage::Handling(until)) } else { Err(ActionError::Refused(refusals).into()) }
+    }
+
+    /// Whether a door that met something when somebody first moved it is by now as it was to be.
+    fn is_pushed_there(&self, agent: NodeId, action: &Action) -> bool {
+        let tried = self.journeys.get(&agent).is_some_and(Journey::has_tried);
+        let is = |door| self.is_open(door) == (action.verb == Verb::Open);
+        tried && opens_or_shuts(action.verb) && action.object.is_some_and(is)
     }
 
     /// Opens and shuts the doors at which hands have been for long enough. None is moved through somebody.
@@ -191,11 +201,14 @@ impl City {
     }
 
     fn move_door(&mut self, agent: NodeId, action: Action) -> Result<ChangeSet, CityError> {
-        let refusals = self.refusals_beyond(agent, &action)?;
-        let region = action.object.and_then(|door| self.region_of(door));
-        match region.filter(|_| refusals.is_empty()) {
-            Some(region) => Ok(self.wake(region)?.move_leaf_from_outside(agent, action)?),
-            None => Err(ActionError::Refused(refusals).into()),
-        }
+        let is_there = self.is_pushed_there(agent, &action);
+        let refusals = if is_there { Vec::new() } else { self.refusals_beyond(agent, &action)? };
+        let door = action.object.and_then(|door| Some((self.region_of(door)?, door)));
+        let Some((region, door)) = door.filter(|_| refusals.is_empty()) else {
+            return Err(ActionError::Refused(refusals).into());
+        };
+        self.wake(region)?;
+        self.draw_to_leaf(region, door);
+        Ok(self.wake(region)?.move_leaf_from_outside(agent, action)?)
     }
 }

@@ -149,16 +149,20 @@ impl CityError {
         Self::NoFloor { region, within: crate::environment::BEYOND }
     }
 
-    /// Whether somebody is in the doorway of a door that was to be moved.
-    pub(super) fn is_in_doorway(&self) -> bool {
-        let is = |why: &Interruption| matches!(why, Interruption::InDoorway { .. });
-        matches!(self, Self::Action(ActionError::Interrupted { why, .. }) if is(why))
+    /// Whether somebody is in the doorway of a door that was to be moved, or it is stuck.
+    pub(super) fn is_at_door(&self) -> bool {
+        match self {
+            Self::Bodies(PhysicalRefusal::Stuck { .. }) => true,
+            Self::Action(ActionError::Interrupted { why, .. }) => matches!(**why, Interruption::InDoorway { .. }),
+            _ => false,
+        }
     }
 
     /// Whether it may be otherwise in a while: somebody is in the way.
     pub(super) fn may_pass(&self) -> bool {
         match self {
             Self::NoFloor { .. } | Self::Action(ActionError::Impossible { .. }) => true,
+            Self::Bodies(PhysicalRefusal::Stuck { .. }) => true,
             Self::Action(ActionError::Interrupted { why, .. }) => {
                 !matches!(**why, Interruption::Cancelled | Interruption::Replaced(_))
             }

@@ -9,7 +9,7 @@ use vc_graph::hash::Digester;
 use vc_graph::space::{Portal, PortalId, PortalKind, RegionId, Space};
 use vc_graph::{Action, ChangeSet, NodeId, ObjectNames, Pose, Verb};
 
-use super::measures::{FARTHEST, HANDLES, TRIES};
+use super::measures::{FARTHEST, HANDLES, HELD, PATIENCE, TRIES};
 use super::passage::Crossing;
 use super::time::{CityEnding, is_done_at_a_door};
 use super::{City, CityError};
@@ -161,6 +161,11 @@ impl Journey {
     /// Whether somebody was in the way of its leg before.
     pub(super) fn has_tried(&self) -> bool {
         self.tries > 0
+    }
+
+    /// Whether somebody has been in the way of its leg for ten seconds.
+    pub(super) fn has_waited_long(&self) -> bool {
+        u64::from(self.tries) * PATIENCE.0 >= HELD.0
     }
 
     /// Somebody was in the way: it is tried again from a tick on, if it has not been tried too often.

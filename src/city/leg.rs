@@ -97,7 +97,7 @@ impl City {
                 self.push_button(agent, push.object);
                 self.leg_done(agent);
             }
-            Some(Leg::Act(_) | Leg::Leaf(..)) if why.is_in_doorway() && journey.handles_again(later) => {}
+            Some(Leg::Act(_) | Leg::Leaf(..)) if why.is_at_door() && journey.handles_again(later) => {}
             Some(Leg::Act(_) | Leg::Leaf(..)) => self.end_journey(agent, Err(why)),
             _ if why.may_pass() && journey.tries_again(later) => {}
             _ => self.end_journey(agent, Err(why)),

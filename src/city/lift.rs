@@ -31,8 +31,8 @@ pub enum LiftState {
     },
 }
 
-/// A lift. It moves with shut doors only, which shut only while nobody is between them; it goes on in one direction while
-/// there are calls ahead.
+/// A lift. It moves with shut doors only, which shut only while nobody and nothing is between them; it goes on in one direction
+/// while there are calls ahead.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(super) struct Lift {
     /// Where its stops are, metres.
@@ -111,7 +111,13 @@ impl Lifts {
         self.busy.iter().filter_map(stop).collect()
     }
 
-    /// Lets a tick pass; returns the cabins of those that change their state. Some doors are kept open.
+    /// The cabins that are about to shut their doors or to leave, and their stops.
+    pub(super) fn about_to_shut(&self, now: Tick) -> Vec<(RegionId, u32)> {
+        let stop = |cabin: &RegionId| Some((*cabin, self.get(*cabin)?.shuts_at(now)?));
+        self.busy.iter().filter_map(stop).collect()
+    }
+
+    /// Lets a tick pass; returns the cabins of those that change their state. Some doors are kept open, and opened again.
     pub(super) fn pass(&mut self, now: Tick, kept_open: &BTreeSet<RegionId>) -> Vec<RegionId> {
         let mut changed = Vec::new();
         for &cabin in &self.busy {
@@ -175,17 +181,31 @@ impl Lift {
         [Opening(stop), Open(stop), Closing(stop)].contains(&self.state)
     }
 
+    /// Whether its doors are shut, wherever it is.
+    pub(super) fn is_all_shut(&self) -> bool {
+        matches!(self.state, LiftState::Shut(_) | LiftState::Moving { .. })
+    }
+
     /// Whether it stands at a stop and is going to leave.
     pub(super) fn is_leaving(&self, stop: u32) -> bool {
         self.is_standing_open(stop) || (self.state == LiftState::Shut(stop) && !self.is_idle())
     }
 
-    /// Goes on at a tick; its doors are kept open if somebody is between them.
+    /// The stop at which it is going to shut its doors at a tick, or which it is going to leave.
+    fn shuts_at(&self, now: Tick) -> Option<u32> {
+        match self.state {
+            LiftState::Open(at) if now.0.saturating_sub(self.since.0) >= OPEN.0 => Some(at),
+            LiftState::Shut(at) if !self.is_idle() => Some(at),
+            _ => None,
+        }
+    }
+
+    /// Goes on at a tick; its doors are kept open if somebody or something is between them.
     fn pass(&mut self, now: Tick, kept_open: bool) {
         use LiftState::{Closing, Moving, Open, Opening, Shut};
         let passed = now.0.saturating_sub(self.since.0);
         let next = match self.state {
-            Shut(at) if self.calls.contains(&at) => Some(Opening(at)),
+            Shut(at) if kept_open || self.calls.contains(&at) => Some(Opening(at)),
             Shut(at) => self.next_call(at).map(|to| Moving { from: at, to }),
             Opening(at) => (passed >= DOOR.0).then_some(Open(at)),
             Open(at) if kept_open || self.calls.remove(&at) => Some(Open(at)),

@@ -4,12 +4,13 @@
 //! others, [`journey`] how agents get from one to
 //! another, [`leg`] by leg, by [passages](passage) along [ways](way) on which they [heed](heed) each other from
 //! [spots](spot) where they stand, [`door`] the doors between two
-//! regions, [`lift`] how cabins move, [`things`] what goes through portals by itself and what is in its way at the
+//! regions, [`doorway`] what is in them, [`lift`] how cabins move, [`things`] what goes through portals by itself and what is in its way at the
 //! [`border`], [`time`] how all of it goes on, [`save`] cities as bytes, [`record`] what was ordered, [`whole`] cities as one
 //! scene; [`measures`] has all speeds, times and sizes.
 
 mod border;
 mod door;
+mod doorway;
 mod dormant;
 mod error;
 mod goal;

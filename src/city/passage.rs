@@ -108,7 +108,7 @@ impl City {
         let spot = self.room_beyond(agent, plan, into, None)?;
         let shuts = plan.leaf.is_some_and(|leaf| !is_of_lift && !self.is_open(leaf));
         if shuts {
-            self.set_leaf(plan, true)?;
+            self.swing_leaf(agent, (portal, plan), true)?;
         }
         let Some(feet) = self.feet(agent) else { return Ok(None) };
         let (way, begun, held) = (way::way_out(plan, from, &feet), self.tick, Span(0));
@@ -140,11 +140,23 @@ impl City {
         }
     }
 
-    /// Opens or shuts the leaf of a portal.
-    pub(super) fn set_leaf(&mut self, plan: &Portal, open: bool) -> Result<ChangeSet, CityError> {
-        let Some(leaf) = plan.leaf else { return Ok(ChangeSet::default()) };
+    /// Opens or shuts the leaf of a portal, if nothing is in its way; things that are begin to be pushed, and people are asked to
+    /// make way. Those who pass give way, and so does everybody who has been in the way for long.
+    fn swing_leaf(&mut self, agent: NodeId, (portal, plan): (PortalId, &Portal), open: bool) -> Result<(), CityError> {
+        let Some(leaf) = plan.leaf else { return Ok(()) };
         let region = self.region_of(leaf).unwrap_or(plan.sides[0].region);
-        Ok(self.wake(region)?.set_leaf(leaf, open)?)
+        self.wake(region)?;
+        self.draw_to_leaf(region, leaf);
+        let waits_long = self.journeys.get(&agent).is_some_and(Journey::has_waited_long);
+        let passes = |id: NodeId| {
+            self.journeys.get(&id).and_then(Journey::crossing).is_some_and(|crossing| crossing.portal == portal)
+        };
+        let give_way: Vec<NodeId> = self.agents().filter(|id| *id == agent || waits_long || passes(*id)).collect();
+        let swung = self.wake(region)?.swing_leaf(leaf, open, &give_way);
+        if swung.is_err() {
+            self.make_way(agent, region, &way::mouth(plan, region));
+        }
+        Ok(swung.map(drop)?)
     }
 
     /// Moves those who are between two regions.
@@ -166,12 +178,12 @@ impl City {
                 }
                 Err(why) => self.leg_failed(agent, why),
             }
-            self.shut_behind(&crossing);
+            self.shut_behind(agent, &crossing);
         }
     }
 
     /// Shuts the leaf that somebody has opened, or leaves that to another one who is passing.
-    fn shut_behind(&mut self, passed: &Crossing) {
+    fn shut_behind(&mut self, agent: NodeId, passed: &Crossing) {
         if !passed.shuts {
             return;
         }
@@ -182,8 +194,8 @@ impl City {
         if let Some(other) = others.next() {
             other.shuts = true;
         } else if let Some(plan) = self.space().clone().portal(passed.portal) {
-            // A leaf that jams stays open.
-            let _ = self.set_leaf(plan, false);
+            // A leaf with somebody in its way stays open; against things it is pushed.
+            let _ = self.swing_leaf(agent, (passed.portal, plan), false);
         }
     }
 

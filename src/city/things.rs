@@ -105,6 +105,13 @@ impl City {
         }
     }
 
+    /// Things beyond a leaf of a region that is about to swing are in its way.
+    pub(super) fn draw_to_leaf(&mut self, region: RegionId, leaf: NodeId) {
+        for gate in self.gates_of(region).iter().filter(|gate| gate.leaf == Some(leaf)) {
+            self.draw_near_swinging(gate, true);
+        }
+    }
+
     /// The leaves of a region bar the thresholds of those beyond.
     fn bar_behind(&mut self, region: RegionId) {
         let leaves = self.gates(region).filter(|(_, plan, ..)| plan.leaf.is_some());
@@ -141,8 +148,13 @@ impl City {
     /// beyond if something reaches into it.
     fn draw_near(&mut self, gate: &Gate) -> Option<RegionId> {
         let there = self.active.get(&gate.from)?;
-        let mut reaching: Vec<Aabb> = moving_boxes(there).filter(|own| gate.is_reached_by(own)).collect();
         let swings = gate.leaf.is_some_and(|leaf| there.is_moved_by_hand(leaf));
+        self.draw_near_swinging(gate, swings)
+    }
+
+    fn draw_near_swinging(&mut self, gate: &Gate, swings: bool) -> Option<RegionId> {
+        let there = self.active.get(&gate.from)?;
+        let mut reaching: Vec<Aabb> = moving_boxes(there).filter(|own| gate.is_reached_by(own)).collect();
         if reaching.is_empty() && !swings {
             return None;
         }

@@ -273,7 +273,10 @@ impl City {
 
     fn lifts_pass(&mut self) {
         let open = self.lifts.standing_open().into_iter();
-        let kept_open = open.filter(|(cabin, stop)| self.keeps_open(*cabin, *stop)).map(|(cabin, _)| cabin).collect();
+        let mut kept_open: BTreeSet<RegionId> =
+            open.filter(|(cabin, stop)| self.keeps_open(*cabin, *stop)).map(|(cabin, _)| cabin).collect();
+        let shut = self.lifts.about_to_shut(self.tick).into_iter();
+        kept_open.extend(shut.filter(|(cabin, stop)| self.is_obstructed(*cabin, *stop)).map(|(cabin, _)| cabin));
         let changed = self.lifts.pass(self.tick, &kept_open);
         changed.into_iter().for_each(|cabin| self.move_lift_doors(cabin));
         self.riders_turn();

@@ -8,12 +8,16 @@ use std::sync::Arc;
 use nalgebra::Translation3;
 use vc_graph::space::RegionId;
 use vc_graph::{
-    AssetLibrary, Bounds, BoundsFrame, Change, ChangeSet, Draft, Edge, Label, Node, NodeId, Pose, SceneBuilder,
-    SceneGraph, Violation,
+    AssetLibrary, Bounds, BoundsFrame, Change, ChangeSet, Draft, Edge, Label, Node, NodeId, ObjectRole, Pose,
+    SceneBuilder, SceneGraph, Violation,
 };
+use vc_physics::BodyRole;
 
 use super::{City, CityError, RegionLabel};
 use crate::Environment;
+
+/// How far below a floor something is that lies on it, metres: less than half a thin thing's height, more than soft ground yields.
+const SUNK: f32 = 0.05;
 
 /// Something that is wrong in a city: [`City::validate`].
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -28,6 +32,20 @@ pub enum CityViolation {
     },
     /// A thing is outside its region, or has been stopped there.
     Outside {
+        /// The region.
+        region: RegionLabel,
+        /// The thing.
+        thing: Label,
+    },
+    /// A thing reaches below all floors of its region by more than 5 cm.
+    BelowFloor {
+        /// The region.
+        region: RegionLabel,
+        /// The thing.
+        thing: Label,
+    },
+    /// A thing is in a shut door between two regions, or between the shut doors of a lift.
+    InDoor {
         /// The region.
         region: RegionLabel,
         /// The thing.
@@ -54,6 +72,8 @@ impl fmt::Display for CityViolation {
         match self {
             Self::Scene { region, violation } => write!(f, "{region}: {violation}"),
             Self::Outside { region, thing } => write!(f, "{region}: {thing} is outside"),
+            Self::BelowFloor { region, thing } => write!(f, "{region}: {thing} is below the floor"),
+            Self::InDoor { region, thing } => write!(f, "{region}: {thing} is in a shut door"),
             Self::Elsewhere { region, node } => write!(f, "{region}: {node} belongs to another region"),
             Self::Missing { region, node } => write!(f, "{region}: node {node}, which has gone there, is not there"),
         }
@@ -62,7 +82,8 @@ impl fmt::Display for CityViolation {
 
 impl City {
     /// All that is wrong in the regions that are there and in those that somebody has changed: their scenes
-    /// ([`SceneGraph::validate`]), things outside, and nodes that are in no region or in two. Nothing is expected to be.
+    /// ([`SceneGraph::validate`]), things outside, below the floor or in shut doors, and nodes that are in no region or in two. Nothing is
+    /// expected to be.
     ///
     /// ```
     /// let city = virtualcity::City::make("building/7", 2)?;
@@ -84,6 +105,10 @@ impl City {
             found.extend(there.graph().validate().into_iter().map(scene));
             let outside = there.world().outside().into_iter().map(|thing| there.graph().label(thing));
             found.extend(outside.map(|thing| CityViolation::Outside { region: label.clone(), thing }));
+            let sunk = below_floor(there).into_iter().map(|thing| there.graph().label(thing));
+            found.extend(sunk.map(|thing| CityViolation::BelowFloor { region: label.clone(), thing }));
+            let in_doors = self.in_shut_doors(*region, there).into_iter().map(|thing| there.graph().label(thing));
+            found.extend(in_doors.map(|thing| CityViolation::InDoor { region: label.clone(), thing }));
             let foreign = there.graph().nodes().filter(|node| self.region_of(node.id()) != Some(*region));
             found.extend(
                 foreign.map(|node| CityViolation::Elsewhere { region: label.clone(), node: Node::label(node) }),
@@ -132,6 +157,16 @@ impl City {
         scene.assets(library);
         Ok(scene.build())
     }
+}
+
+/// The loose things of a region that reach below all its floors.
+fn below_floor(there: &Environment) -> Vec<NodeId> {
+    let world = there.world();
+    let tops = there.graph().of_role(ObjectRole::Floor).filter_map(|floor| Some(world.aabb(floor.id())?.max.z));
+    let Some(lowest) = tops.reduce(f32::min) else { return Vec::new() };
+    let is_loose = |id: &NodeId| world.role(*id) == Some(BodyRole::Loose);
+    let sunk = |id: &NodeId| world.body(*id).ok().and_then(|body| body.lowest()).is_some_and(|low| low < lowest - SUNK);
+    world.nodes().into_iter().filter(is_loose).filter(sunk).collect()
 }
 
 type Fault = Box<dyn std::error::Error + Send + Sync>;

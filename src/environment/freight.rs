@@ -76,10 +76,11 @@ impl Environment {
         }
     }
 
-    /// Whether somebody is opening or shutting a thing, or about to.
+    /// Whether somebody is opening or shutting a thing, or about to, or it is pushed on against others.
     pub(crate) fn is_moved_by_hand(&self, leaf: NodeId) -> bool {
         let moves = |action: &Action| matches!(action.verb, Verb::Open | Verb::Close) && action.object == Some(leaf);
-        self.agents().iter().any(|agent| self.current_action(*agent).is_some_and(moves))
+        self.world.parts(leaf).is_driven()
+            || self.agents().iter().any(|agent| self.current_action(*agent).is_some_and(moves))
     }
 
     /// Reads what has moved, so that it is known on what things rest that are about to go.

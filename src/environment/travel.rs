@@ -222,17 +222,51 @@ impl Environment {
         }
     }
 
-    /// Opens or shuts the leaf of a door that somebody passes.
+    /// Opens or shuts the leaf of a door that somebody passes, unless it would meet something on its way: things are pushed by
+    /// it from now on, people are not, but for some who give way.
+    pub(crate) fn swing_leaf(
+        &mut self,
+        leaf: NodeId,
+        open: bool,
+        give_way: &[NodeId],
+    ) -> Result<ChangeSet, PhysicalRefusal> {
+        let (to, graph) = (openness(open), self.graph.clone());
+        let in_scene = |why: vc_physics::PhysicsError| PhysicalRefusal::from(why).in_scene(&graph);
+        if self.world.parts(leaf).plan(to, give_way).map_err(in_scene)?.is_some() {
+            self.world.set_openness(leaf, to, give_way).map_err(in_scene)?;
+            return Ok(self.leaf_moved(leaf));
+        }
+        let parts = self.world.parts(leaf);
+        let (now, all) = (parts.openness().unwrap_or_default(), parts.all());
+        let met: Vec<NodeId> =
+            parts.blockers(to).map_err(in_scene)?.into_iter().filter(|id| !give_way.contains(id)).collect();
+        if !met.iter().any(|id| self.agents().contains(id)) {
+            for (part, _) in all.iter().enumerate().filter(|(_, part)| part.has_motor) {
+                self.world.drive(leaf, part, to).map_err(in_scene)?;
+            }
+            (self.clock.stirred, self.clock.unseen) = (true, true);
+            self.excuse(&[&[leaf], &met[..]].concat());
+        }
+        let by = met.into_iter().map(|id| graph.label(id)).collect();
+        Err(PhysicalRefusal::Stuck { thing: graph.label(leaf), open: 100.0 * now, by })
+    }
+
+    /// Opens or shuts the leaf of a lift.
     pub(crate) fn set_leaf(&mut self, leaf: NodeId, open: bool) -> Result<ChangeSet, PhysicalRefusal> {
-        let moved = self.world.put_open(leaf, None, if open { 1.0 } else { 0.0 });
+        let moved = self.world.put_open(leaf, None, openness(open));
         moved.map_err(|why| PhysicalRefusal::from(why).in_scene(&self.graph))?;
+        Ok(self.leaf_moved(leaf))
+    }
+
+    /// Takes note of a leaf that has moved.
+    fn leaf_moved(&mut self, leaf: NodeId) -> ChangeSet {
         self.excuse(&[leaf]);
         self.clock.about_to_change(&self.graph);
         // Whoever ends something in the next tick has not done it.
         let changes = self.write_open(&[leaf]);
         self.clock.changed.push(leaf);
         (self.clock.stirred, self.clock.unseen) = (true, true);
-        Ok(changes)
+        changes
     }
 
     /// Opens or shuts the door that an action is about, or touches it only, which somebody on its other side does.
@@ -243,7 +277,7 @@ impl Environment {
     ) -> Result<ChangeSet, PhysicalRefusal> {
         let changes = match action.object {
             Some(leaf) if matches!(action.verb, Verb::Open | Verb::Close) => {
-                self.set_leaf(leaf, action.verb == Verb::Open)?
+                self.swing_leaf(leaf, action.verb == Verb::Open, &[agent])?
             }
             _ => ChangeSet::default(),
         };
@@ -268,6 +302,11 @@ impl Environment {
             && are_open_alike(&self.world, &other.world)
             && self.world.nodes().into_iter().all(stands)
     }
+}
+
+/// How far open a leaf is, 0 to 1.
+fn openness(open: bool) -> f32 {
+    if open { 1.0 } else { 0.0 }
 }
 
 /// Whether the parts of all things of a world are as far open as in another one.

@@ -11,7 +11,7 @@ use virtualcity::graph::{
     Action, Asset, AssetLibrary, Bounds, Draft, NodeId, Pose, Relation, SceneBuilder, SceneGraph, State, Verb,
 };
 use virtualcity::nalgebra::{Point3, Vector3};
-use virtualcity::{City, RegionScenes};
+use virtualcity::{City, CityViolation, RegionScenes};
 
 use super::side;
 
@@ -354,4 +354,52 @@ fn a_leaf_pushes_what_stands_beyond() {
     let moved = (middle(&city, thing) - before).norm();
     assert!(moved > 0.05, "it moved {moved} m");
     check(&city, &[thing]);
+}
+
+/// Whoever shuts a door with something on its line pushes it away, or the door stays open; it is never in the shut leaf.
+#[test]
+fn a_leaf_is_shut_through_nothing() {
+    let mut kept_open = 0;
+    for (class, half, y) in [("ball", [0.1; 3], 2.5), ("box", [0.2; 3], 2.2), ("box", [0.35, 0.35, 0.6], 2.6)] {
+        // It stands inside, and is pushed onto the line while the door is open.
+        let thing: Thing = (HALL, class, half, [4.3, y, half[2]]);
+        let mut city = city(true, &[thing], 1);
+        let (me, door, thing) = (city.agents().next().unwrap(), all(&city, "door")[0], all(&city, class)[0]);
+        city.set_action(me, Action::walk(door)).unwrap();
+        city.set_action(me, Action::one(Verb::Open, door)).unwrap();
+        city.set_action(me, "walk at 3 4".parse().unwrap()).unwrap();
+        for _ in 0..40 {
+            if middle(&city, thing).x > EDGE - 0.05 {
+                break;
+            }
+            push(&mut city, thing, [0.4, 0.0, 0.0]);
+            city.step(Span::from_seconds(1.5));
+        }
+        let on_line = middle(&city, thing);
+        assert!((on_line.x - EDGE).abs() < 0.3, "{class} at {on_line}");
+        let _ = city.set_action(me, Action::walk(door));
+        let shut = city.set_action(me, Action::one(Verb::Close, door));
+        city.step(Span::from_seconds(10.0));
+        let is_shut = city.peek(HALL).unwrap().graph().node(door).unwrap().is(State::Closed);
+        assert_eq!(city.validate().unwrap(), [], "{class} {half:?}, shut: {is_shut}");
+        assert!(is_shut || shut.is_err());
+        kept_open += usize::from(!is_shut);
+    }
+    assert!(kept_open < 3, "nothing was pushed away");
+}
+
+/// Whatever reaches over the edge of the floor and down is below it before it is outside.
+#[test]
+fn what_falls_off_the_edge_is_listed() {
+    let thing: Thing = (TERRACE, "box", [0.2; 3], [9.7, 2.5, 0.2]);
+    let mut city = city(false, &[thing], 1);
+    let thing = all(&city, "box")[0];
+    assert_eq!(city.validate().unwrap(), []);
+    push(&mut city, thing, [2.5, 0.0, 0.0]);
+    let is_below = |violation: &CityViolation| matches!(violation, CityViolation::BelowFloor { thing: low, .. } if low.id == thing);
+    let listed = (0..300).any(|_| {
+        city.step(Span(1));
+        city.validate().unwrap().iter().any(is_below)
+    });
+    assert!(listed && middle(&city, thing).z > -1.0, "{}", middle(&city, thing));
 }
