@@ -7,12 +7,12 @@ use serde::{Deserialize, Serialize};
 use vc_graph::clock::Tick;
 use vc_graph::format::native;
 use vc_graph::space::RegionId;
-use vc_graph::{Digest, NodeId, ObjectNames};
+use vc_graph::{ClassTable, Digest, NodeId, ObjectNames, SceneBuilder, SceneGraph};
 
 use super::dormant::{Changes, Dormant};
 use super::journey::Journey;
 use super::lift::{Lift, Lifts};
-use super::{City, CityError, RegionLabel};
+use super::{City, CityError, RegionLabel, source};
 use crate::Environment;
 use crate::environment::SaveError;
 use crate::parts::{self, Magic, PartsFault};
@@ -44,6 +44,9 @@ struct SavedCity {
     settings: Option<String>,
     /// The regions in the order of the parts that follow.
     regions: Vec<SavedRegion>,
+    /// Regions whose scenes as they are made are in the parts after that, and the next number of each; none unless it was saved whole.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    scenes: Vec<(RegionId, u32)>,
 }
 
 /// A region of a saved city. Its difference from its reference is a part of its own.
@@ -83,7 +86,10 @@ pub enum CitySaveError {
         here: usize,
     },
     /// The scene of a region is another one than when the city was saved.
-    #[error("{0} is made otherwise than when the city was saved: its generator or the settings have changed")]
+    #[error(
+        "{0} is made otherwise than when the city was saved: its generator or the settings have changed; \
+         a city that `save_whole` saved does not need the generator"
+    )]
     OtherRegion(RegionLabel),
     /// A region cannot be saved or restored.
     #[error("{region}: {why}")]
@@ -141,6 +147,29 @@ impl City {
     /// # Errors
     /// [`CitySaveError::Unread`] if endings wait for the next [`step`](Self::step), [`CitySaveError::Region`].
     pub fn save(&self) -> Result<Vec<u8>, CitySaveError> {
+        self.saved(&BTreeMap::new())
+    }
+
+    /// The city as bytes as by [`save`](Self::save), with the scenes as they are made of all regions of which something is saved,
+    /// and of those beyond their portals: it is restored although their generator makes others now. The plan has
+    /// to be the same. Regions that nobody has been near are made by the generator as it is.
+    ///
+    /// A home takes some megabytes.
+    ///
+    /// # Errors
+    /// As [`save`](Self::save); [`CitySaveError::City`] if a scene cannot be made.
+    pub fn save_whole(&self) -> Result<Vec<u8>, CitySaveError> {
+        let known: BTreeSet<RegionId> = self.active.keys().chain(self.asleep.keys()).copied().collect();
+        let beyond = known.iter().flat_map(|region| self.gates(*region).map(|(.., across)| across.region));
+        let all: BTreeSet<RegionId> = beyond.chain(known.iter().copied()).collect();
+        let fault = |region, why: source::SceneFault| {
+            Box::new(CityError::Scene { region: self.region_label(region), why: why.into() })
+        };
+        let scene = |region| Ok((region, self.source.scene(region).map_err(|why| fault(region, why))?));
+        self.saved(&all.into_iter().map(scene).collect::<Result<_, CitySaveError>>()?)
+    }
+
+    fn saved(&self, scenes: &BTreeMap<RegionId, SceneGraph>) -> Result<Vec<u8>, CitySaveError> {
         if !self.endings.is_empty() {
             return Err(CitySaveError::Unread(self.endings.len()));
         }
@@ -176,10 +205,13 @@ impl City {
             stops: self.stops.clone(),
             settings: settings.transpose()?,
             regions: regions.iter().map(|(saved, _)| *saved).collect(),
+            scenes: scenes.iter().map(|(region, scene)| (*region, scene.next_number())).collect(),
         };
         let head = serde_json::to_vec(&saved)?;
-        let changes = regions.iter().map(|(_, changes)| &changes.bytes);
-        let parts: Vec<&[u8]> = std::iter::once(&head).chain(changes).map(Vec::as_slice).collect();
+        let changes = regions.iter().map(|(_, changes)| changes.bytes.as_slice());
+        let texts: Vec<String> = scenes.values().map(native::write).collect();
+        let scenes = texts.iter().map(String::as_bytes);
+        let parts: Vec<&[u8]> = std::iter::once(head.as_slice()).chain(changes).chain(scenes).collect();
         Ok(parts::joined(MAGIC, &parts))
     }
 
@@ -188,11 +220,42 @@ impl City {
     /// that were saved anew, some milliseconds each, and holds their scenes against those of the saved city.
     ///
     /// # Errors
-    /// [`CitySaveError`]; [`CitySaveError::OtherRegion`] names a region whose generator has changed.
+    /// [`CitySaveError`]; [`CitySaveError::OtherRegion`] names a region whose generator has changed, unless the city was
+    /// [saved whole](Self::save_whole).
     pub fn restore(&self, bytes: &[u8]) -> Result<Self, CitySaveError> {
         let parts = parts::split(MAGIC, bytes)?;
         let (head, regions) = parts.split_first().ok_or(CitySaveError::NotSaved)?;
         let mut saved: SavedCity = serde_json::from_slice(head)?;
+        if !saved.scenes.is_empty() {
+            let (regions, texts) = regions.split_at_checked(saved.regions.len()).ok_or(CitySaveError::NotSaved)?;
+            let scenes = std::mem::take(&mut saved.scenes);
+            let known = self.with_scenes(&scenes, texts)?;
+            return known.restored(saved, regions);
+        }
+        self.restored(saved, regions)
+    }
+
+    /// This city, in which the scenes of some regions are those of a save and not the generator's.
+    fn with_scenes(&self, scenes: &[(RegionId, u32)], texts: &[&[u8]]) -> Result<Self, CitySaveError> {
+        if scenes.len() != texts.len() {
+            return Err(CitySaveError::NotSaved);
+        }
+        let scene = |((region, next), text): (&(RegionId, u32), &&[u8])| {
+            let fault = |why| CitySaveError::Region { region: self.region_label(*region), why: Arc::new(why) };
+            let classes =
+                self.source.scene(*region).map_or_else(|_| ClassTable::builtin(), |now| now.classes().clone());
+            let text = std::str::from_utf8(text).map_err(|_| CitySaveError::NotSaved)?;
+            let mut builder = SceneBuilder::from_graph(native::read(text, &classes).map_err(|why| fault(why.into()))?);
+            builder.number_from(*next);
+            Ok((*region, builder.build()))
+        };
+        let known = scenes.iter().zip(texts).map(scene).collect::<Result<_, CitySaveError>>()?;
+        let source = Arc::new(source::Known { known, others: self.source.clone() });
+        // Whatever was made of the generator's scenes is of no use.
+        Ok(Self { source, glances: Arc::default(), ..self.clone() })
+    }
+
+    fn restored(&self, mut saved: SavedCity, regions: &[&[u8]]) -> Result<Self, CitySaveError> {
         if saved.plan != self.space().digest().0 {
             return Err(CitySaveError::OtherPlan);
         }

@@ -1,5 +1,6 @@
 //! The scenes of regions, by whoever makes them.
 
+use std::collections::BTreeMap;
 use std::error::Error;
 use std::sync::Arc;
 
@@ -58,6 +59,25 @@ impl RegionScenes for Building {
 
     fn scene(&self, region: RegionId) -> Result<SceneGraph, Box<dyn Error + Send + Sync>> {
         Ok(self.scene(region)?)
+    }
+}
+
+/// Why a scene cannot be made.
+pub(super) type SceneFault = Box<dyn Error + Send + Sync>;
+
+/// The scenes of some regions as they were once made, of the others as they are made now.
+pub(super) struct Known {
+    pub(super) known: BTreeMap<RegionId, SceneGraph>,
+    pub(super) others: Arc<dyn RegionScenes>,
+}
+
+impl RegionScenes for Known {
+    fn space(&self) -> &Arc<Space> {
+        self.others.space()
+    }
+
+    fn scene(&self, region: RegionId) -> Result<SceneGraph, SceneFault> {
+        self.known.get(&region).map_or_else(|| self.others.scene(region), |scene| Ok(scene.clone()))
     }
 }
 

@@ -90,7 +90,8 @@
 //! # A city that is saved
 //!
 //! A city is saved at any tick, also while somebody is on the stairs; it is restored by one that was made in the same way, in
-//! another process too. Regions that nobody has changed take nothing.
+//! another process too. Regions that nobody has changed take nothing. `save_whole` keeps the scenes as well, so that a city is
+//! restored after its generator has changed.
 //!
 //! ```
 //! use virtualcity::City;

@@ -1,12 +1,12 @@
 //! How much a saved city and a region that sleeps take, and that both are what they were.
 
-use virtualcity::City;
 use virtualcity::graph::clock::Span;
 use virtualcity::graph::space::RegionId;
 use virtualcity::graph::{Action, NodeId, Verb};
 use virtualcity::nalgebra::Vector3;
+use virtualcity::{City, CitySaveError};
 
-use super::{YARD, city, landing, move_cup, of_class};
+use super::{Changed, YARD, city, house, landing, move_cup, of_class};
 
 /// Four who have walked about in a building, one of whom has opened a fridge.
 fn lived_in() -> City {
@@ -101,4 +101,34 @@ fn restores_between_pushes_change_no_way() {
         }
         assert_eq!(plain.digest(), restored.digest(), "round {round}");
     }
+}
+
+/// A city that was saved whole goes on although the generator of its regions has changed: as the saved one does, after it is
+/// saved again, too. One that was saved by its changes is refused.
+#[test]
+fn a_city_that_was_saved_whole_needs_no_generator() {
+    let mut old = city(1);
+    let me = old.agents().next().unwrap();
+    let cup = move_cup(&mut old, me);
+    old.send(me, landing(1)).unwrap();
+    old.step(Span::from_seconds(3.0));
+    let renewed = City::of(Changed(house())).make().unwrap();
+    let refused = renewed.restore(&old.save().unwrap()).unwrap_err();
+    assert!(matches!(&refused, CitySaveError::OtherRegion(region) if region.id == YARD), "{refused}");
+    let whole = old.save_whole().unwrap();
+    let mut restored = renewed.restore(&whole).unwrap();
+    assert_eq!((restored.digest(), restored.save_whole().unwrap()), (old.digest(), whole));
+    let again = renewed.restore(&restored.save_whole().unwrap()).unwrap();
+    for city in [&mut old, &mut restored] {
+        city.step_until_idle(Span::from_seconds(300.0));
+        city.go(me, YARD).unwrap();
+        city.set_action(me, Action::walk(cup)).unwrap();
+    }
+    assert_eq!((old.digest(), old.region_of(me)), (restored.digest(), Some(landing(0))));
+    assert_eq!(again.region_of(cup), Some(landing(0)));
+    // Where nobody has been near, the generator's scenes are those of today; damage is found.
+    let mut damaged = restored.save_whole().unwrap();
+    let last = damaged.len() - 1;
+    damaged[last] ^= 1;
+    assert!(renewed.restore(&damaged).is_err());
 }
