@@ -25,36 +25,36 @@ impl City {
     fn between_doors(&self, region: RegionId, plan: &Portal) -> Vec<NodeId> {
         let known = self.active.contains_key(&region) || self.asleep.contains_key(&region);
         let there = known.then(|| self.seen(region).ok()).flatten();
-        there.map_or_else(Vec::new, |there| self.on_sill(&there, (region, plan), BAR).unwrap_or_default())
+        there.map_or_else(Vec::new, |there| self.on_sill(&there, (region, plan)))
     }
 
-    /// The loose things of a region that are between its line at a portal, or a way before it in metres, and that of the region
-    /// beyond.
-    fn on_sill(&self, there: &Environment, (region, plan): (RegionId, &Portal), before: f32) -> Option<Vec<NodeId>> {
+    /// The loose things of a region into which the doors of a lift reach when they are shut, or which are over the shaft.
+    fn on_sill(&self, there: &Environment, (region, plan): (RegionId, &Portal)) -> Vec<NodeId> {
+        let doors = self.doors_of_lift((region, there.graph()), plan).into_iter();
+        let in_doors = doors.flat_map(|door| there.world().parts(door).reach_into_when_shut(DEEP));
+        let over = self.over_shaft(there, (region, plan)).unwrap_or_default();
+        in_doors.chain(over).filter(|id| is_loose(there, *id)).collect()
+    }
+
+    /// Whatever of a region reaches farther than the middle between its line at a portal and that of the region beyond.
+    fn over_shaft(&self, there: &Environment, (region, plan): (RegionId, &Portal)) -> Option<Vec<NodeId>> {
         let (own, across) = (plan.side(region)?, plan.across(region)?);
         let back = self.frame_at(across.region, plan)?.to(&self.frame_at(region, plan)?);
         let gap = (own.pose.inverse() * back * across.pose).translation.x.max(0.0);
-        let size = Vector3::new(before + gap + BAR, plan.width, plan.height);
-        let middle = Pose::translation(size.x / 2.0 - before, 0.0, size.z / 2.0);
-        let all = there.world().in_box(size, &(own.pose * middle));
-        Some(all.into_iter().filter(|id| is_loose(there, *id)).collect())
+        let (first, last) = ((gap / 2.0).max(DEEP), gap + BAR);
+        let middle = Pose::translation(f32::midpoint(first, last), 0.0, plan.height / 2.0);
+        let size = Vector3::new(last - first, plan.width, plan.height);
+        Some(there.world().in_box(size, &(own.pose * middle)))
     }
 
     /// The loose things of a region that are in shut doors between regions, where they were to be held up.
     pub(super) fn in_shut_doors(&self, region: RegionId, there: &Environment) -> Vec<NodeId> {
-        let shut = |(_, plan, ..): &(_, &Portal, _, _)| match self.lifts.at(plan) {
-            Some((cabin, lift)) => is_shut_at(lift, plan, cabin == region),
-            None => true,
+        let things = |(_, plan, ..): (_, &Portal, _, _)| match (self.lifts.at(plan), plan.leaf) {
+            (Some((cabin, lift)), _) if is_shut_at(lift, plan, cabin == region) => self.on_sill(there, (region, plan)),
+            (None, Some(leaf)) => in_shut_leaf(there, leaf),
+            _ => Vec::new(),
         };
-        let mut all: Vec<NodeId> = self
-            .gates(region)
-            .filter(shut)
-            .flat_map(|(_, plan, ..)| match (self.lifts.at(plan), plan.leaf) {
-                (Some(_), _) => self.on_sill(there, (region, plan), -DEEP).unwrap_or_default(),
-                (None, Some(leaf)) => in_shut_leaf(there, leaf),
-                (None, None) => Vec::new(),
-            })
-            .collect();
+        let mut all: Vec<NodeId> = self.gates(region).flat_map(things).collect();
         all.sort_unstable();
         all.dedup();
         all

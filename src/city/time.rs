@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use nalgebra::{Point3, distance};
 use vc_graph::clock::{Span, Tick};
-use vc_graph::space::RegionId;
+use vc_graph::space::{Portal, RegionId};
 use vc_graph::{Action, ChangeSet, Node, NodeId, ObjectRole, SceneGraph, State, Verb, rule};
 
 use super::measures::{AT_THRESHOLD, LONGEST};
@@ -302,14 +302,20 @@ impl City {
     pub(super) fn lift_doors(&self, region: RegionId, graph: &SceneGraph) -> BTreeMap<NodeId, bool> {
         let mut doors = BTreeMap::new();
         for plan in self.space().portals_of(region).filter_map(|portal| self.space().portal(portal)) {
-            let Some((cabin, lift)) = self.lifts.at(plan) else { continue };
-            let own = plan.side(region).filter(|_| cabin == region);
-            let own = own.into_iter().flat_map(|side| doors_at(graph, side.pose.translation.vector.into()));
-            for door in own.chain(plan.leaf.filter(|leaf| graph.node(*leaf).is_some())) {
+            let Some((_, lift)) = self.lifts.at(plan) else { continue };
+            for door in self.doors_of_lift((region, graph), plan) {
                 *doors.entry(door).or_default() |= lift.is_open_at(plan.stop);
             }
         }
         doors
+    }
+
+    /// The doors in a region of the lift of a portal.
+    pub(super) fn doors_of_lift(&self, (region, graph): (RegionId, &SceneGraph), plan: &Portal) -> Vec<NodeId> {
+        let is_cabin = self.lifts.at(plan).is_some_and(|(cabin, _)| cabin == region);
+        let own = plan.side(region).filter(|_| is_cabin);
+        let own = own.into_iter().flat_map(|side| doors_at(graph, side.pose.translation.vector.into()));
+        own.chain(plan.leaf.filter(|leaf| graph.node(*leaf).is_some())).collect()
     }
 }
 
