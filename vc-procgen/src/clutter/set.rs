@@ -174,7 +174,8 @@ fn cookware(k: &mut SurfaceFiller<'_>, amount: f32) {
 /// Hangs objects on hooks and rods.
 fn coats(k: &mut SurfaceFiller<'_>, classes: &[&str], chance: f32) {
     for surface in 0..k.surfaces() {
-        let hook = k.surface(surface).is_some_and(|s| s.hold == Hold::Hook);
+        // Nothing hangs from bars by habit.
+        let hook = k.surface(surface).is_some_and(|s| s.hold == Hold::Hook && !s.name.starts_with("bar"));
         if !hook || !k.rng.chance(chance) {
             continue;
         }

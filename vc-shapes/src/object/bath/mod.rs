@@ -1,6 +1,7 @@
 //! Bathroom furniture and fixtures.
 
 mod fixture;
+mod hung;
 mod storage;
 mod tap;
 
@@ -18,6 +19,8 @@ pub(super) const GENERATORS: &[Generator] = &[
     indoor("heated_towel_rail", 5, storage::heated_towel_rail),
     indoor("shower_caddy", 6, storage::shower_caddy),
     indoor("bathroom_mirror", 9, storage::bathroom_mirror),
+    indoor("toilet_roll_holder", 4, hung::toilet_roll_holder),
+    indoor("shower_curtain", 4, hung::shower_curtain),
     indoor("toilet", 9, fixture::toilet),
     indoor("bidet", 4, fixture::bidet),
     indoor("washbasin", 9, fixture::washbasin),

@@ -355,6 +355,9 @@ pub(super) fn bathroom_mirror(b: &mut Build<'_>) {
     }
 }
 
+/// The length of the cloth that hangs from a bar on a wall, metres.
+const OVER_BAR: f32 = 0.6;
+
 /// Bars on the wall: one, two, a shelf of bars over hooks, or a ladder.
 pub(super) fn towel_rack(b: &mut Build<'_>) {
     let u = fit(b, [0.048, 0.352, 0.048]);
@@ -381,6 +384,9 @@ pub(super) fn towel_rack(b: &mut Build<'_>) {
     let deep = x * 0.7;
     let (cx, deep) = if bars > 1 { (x - deep - r * 0.2, deep) } else { (x - r, r) };
     b.top("bars", [cx, 0.0, h], (deep, y - r * 4.0));
+    for (name, side) in [("bar_left", -y / 2.0), ("bar_right", y / 2.0)] {
+        b.hook(name, [x - r, side, z - r], OVER_BAR);
+    }
     if h > 0.1 {
         let low = r;
         b.rod("bar", [-x + r, -y, low], [-x + r, y, low], r, tap);

@@ -176,6 +176,9 @@ pub(super) fn hall_stand(b: &mut Build<'_>) {
     }
 }
 
+/// The length of what hangs from the hooks of a key holder, metres.
+const KEYS: f32 = 0.16;
+
 /// A small board with key hooks and a ledge, or a little house.
 pub(super) fn key_holder(b: &mut Build<'_>) {
     at_least(b, [0.015, 0.09, 0.05]);
@@ -198,6 +201,6 @@ pub(super) fn key_holder(b: &mut Build<'_>) {
     let count = (2.0 * y / 0.045).clamp(2.0, 7.0) as usize;
     for i in 0..count {
         let cy = (y - 0.015) * (2.0 * (i as f32 + 0.5) / count as f32 - 1.0);
-        peg(b, i, [x0 - 0.001, cy, h * 0.22], (2.0 * x - t).min(h * 0.3).min(0.03), h * 0.2, metal);
+        peg(b, i, [x0 - 0.001, cy, h * 0.22], (2.0 * x - t).min(h * 0.3).min(0.03), KEYS, metal);
     }
 }

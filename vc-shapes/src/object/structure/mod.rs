@@ -6,6 +6,8 @@ mod fixed;
 mod lift;
 mod window;
 
+pub(super) use window::pleated;
+
 use super::{Generator, indoor};
 
 pub(super) const GENERATORS: &[Generator] = &[

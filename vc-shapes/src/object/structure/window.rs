@@ -121,7 +121,7 @@ pub(super) fn roof_window(b: &mut Build<'_>) {
 const PLEAT: [f32; 12] = [0.0, 0.5, 0.87, 1.0, 0.87, 0.5, 0.0, -0.5, -0.87, -1.0, -0.87, -0.5];
 
 /// The outline of pleated cloth along Y, `t` thick and `deep` to either side.
-fn pleated(y: f32, deep: f32, t: f32, count: usize) -> Vec<(f32, f32)> {
+pub(in crate::object) fn pleated(y: f32, deep: f32, t: f32, count: usize) -> Vec<(f32, f32)> {
     let steps = count * PLEAT.len();
     let at = |i: usize, side: f32| {
         let wave = PLEAT[i % PLEAT.len()] * (deep - t);
