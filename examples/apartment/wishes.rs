@@ -72,6 +72,7 @@ impl Wishes {
             area: self.area,
             style: None,
             clutter: self.clutter,
+            dressing: None,
         };
         specification.check().map_err(Complaint::new)?;
         Ok(specification)

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use virtualcity::graph::class::Category;
 use virtualcity::graph::{ClassTable, NodeId, SceneGraph, Seed, did_you_mean};
-use virtualcity::procgen::{Apartment, dress};
+use virtualcity::procgen::{Apartment, Dressing, Specification, dress};
 use virtualcity::render::{Camera, Renderer, Snapshot};
 use virtualcity::{Assets, Environment, PictureOptions, Viewpoint};
 
@@ -17,8 +17,9 @@ pub(crate) struct Home {
 }
 
 impl Home {
-    pub(crate) fn generated(seed: u64) -> Result<Self, Complaint> {
-        let home = Apartment::from_seed(Seed(seed)).map_err(Complaint::new)?;
+    pub(crate) fn generated(seed: u64, dressing: Option<Dressing>) -> Result<Self, Complaint> {
+        let wishes = Specification { dressing, ..Specification::default() };
+        let home = Apartment::generate(&wishes, Seed(seed)).map_err(Complaint::new)?;
         Ok(Self { scene: home.scene(), environment: None })
     }
 

@@ -1,6 +1,7 @@
 //! All modalities of a room, side by side, from a generated home or a scene file.
 //!
 //! `cargo run --release --example render -- --seed 42 --room livingroom --out out/render` writes one sheet.
+//! `--dressed` dresses the rooms by use, `--dressing FILE` by a table of your own.
 //! `--daylight evening` or `night` is another time; at night the lamps are on. `--time` prints the cost of each
 //! modality. `--reference` adds a path-traced picture, `--files` depth and flow as OpenEXR and NPY, boxes and
 //! masks as COCO, and the scene with the camera and the lights as glTF. `--scene FILE` takes the home from a
@@ -24,6 +25,7 @@ use clap::{Parser, ValueEnum};
 use home::Home;
 use support::{Complaint, say};
 use virtualcity::graph::{Node, Property, SceneGraph};
+use virtualcity::procgen::Dressing;
 use virtualcity::render::{Daylight, Frame, PathTracing, Renderer, Snapshot, picture};
 
 /// All modalities of a room.
@@ -36,6 +38,12 @@ struct Options {
     /// their class.
     #[arg(long)]
     scene: Option<PathBuf>,
+    /// Dress the generated home by the built-in table.
+    #[arg(long, conflicts_with = "scene")]
+    dressed: bool,
+    /// Dress the generated home by a table of your own.
+    #[arg(long, conflicts_with = "scene")]
+    dressing: Option<PathBuf>,
     /// Class of the room.
     #[arg(long, default_value = "livingroom")]
     room: String,
@@ -91,7 +99,14 @@ impl Hour {
 
 fn main() -> Result<(), Complaint> {
     let options = Options::parse();
-    let home = options.scene.as_deref().map_or_else(|| Home::generated(options.seed), Home::read)?;
+    let dressing = match &options.dressing {
+        Some(path) => Some(Dressing::parse(&path.display().to_string(), &std::fs::read_to_string(path)?)?),
+        None => options.dressed.then(Dressing::builtin),
+    };
+    let home = match &options.scene {
+        Some(path) => Home::read(path)?,
+        None => Home::generated(options.seed, dressing)?,
+    };
     remark::on_walls(&home.scene);
     let room = home.room(&options.room)?;
     virtualcity::files::create_folder(&options.out)?;

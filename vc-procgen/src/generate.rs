@@ -102,7 +102,8 @@ impl Apartment {
         let mut items = structure::build(&plan, &style, own.child("structure"));
         append(&mut items, furniture);
         let mut home = Self { seed, plan, style, items };
-        clutter::fill(&mut home, generators, specification.clutter.unwrap_or(0.6), own);
+        let household = specification.household(&home.plan, &home.style, seed);
+        clutter::fill(&mut home, generators, household.as_ref(), specification.clutter.unwrap_or(0.6), own);
         match home.repair() {
             None => Ok(home),
             Some(violation) => Err(SpecificationError::Unsound { attempts: attempt as usize + 1, last: violation }),

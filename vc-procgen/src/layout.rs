@@ -95,7 +95,8 @@ impl Layout {
         if specification.balconies.is_some_and(|wished| balconies < wished) {
             return Err(SpecificationError::NoPlan { rooms: programme.wishes.len(), area: programme.area() });
         }
-        let (mut furniture, mut drafts) = furnish::furnish(&plan, (&style, generators), own)?;
+        let household = specification.household(&plan, &style, seed);
+        let (mut furniture, mut drafts) = furnish::furnish(&plan, (&style, generators), household.as_ref(), own)?;
         clear_ways(&plan, &mut furniture, &mut drafts)?;
         Ok((Self { plan, style, furniture }, drafts))
     }

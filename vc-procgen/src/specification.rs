@@ -1,8 +1,11 @@
 //! The specification of an apartment.
 
+use vc_graph::Seed;
 use vc_shapes::Style;
 
+use crate::dressing::{Dressing, Household};
 use crate::error::SpecificationError;
+use crate::plan::FloorPlan;
 
 /// Requirements of an apartment; anything not specified is drawn from the seed.
 ///
@@ -35,6 +38,8 @@ pub struct Specification {
     pub style: Option<Style>,
     /// The amount of clutter, 0 (tidy and bare) to 1; 0.6 by default.
     pub clutter: Option<f32>,
+    /// The table by which rooms are dressed; without one, small things lie where the class table keeps them.
+    pub dressing: Option<Dressing>,
 }
 
 impl Specification {
@@ -72,6 +77,11 @@ impl Specification {
         count("balconies", self.balconies, 0.0, 3.0)?;
         range("area", self.area, 15.0, 400.0)?;
         range("clutter", self.clutter, 0.0, 1.0)
+    }
+
+    /// The household for whom a plan is dressed.
+    pub(crate) fn household(&self, plan: &FloorPlan, style: &Style, seed: Seed) -> Option<Household> {
+        self.dressing.as_ref().map(|dressing| Household::draw(dressing, plan, style, seed))
     }
 }
 

@@ -8,6 +8,7 @@
 mod building;
 mod checker;
 mod city;
+mod dressing;
 
 use std::sync::LazyLock;
 use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
@@ -32,10 +33,15 @@ fn number(variable: &str, usual: u64) -> u64 {
 
 fn all() -> Vec<Finding> {
     let first = number("VC_FIRST_SEED", 0);
-    let (next, end) = (AtomicU64::new(first), first + number("VC_SEEDS", vc_testkit::amount(EXAMINED, SEEDS)));
+    findings(first..first + number("VC_SEEDS", vc_testkit::amount(EXAMINED, SEEDS)), look)
+}
+
+/// The findings in the homes of some seeds, on all cores.
+fn findings(seeds: std::ops::Range<u64>, look: impl Fn(u64) -> Vec<Finding> + Sync) -> Vec<Finding> {
+    let next = AtomicU64::new(seeds.start);
     let work = || {
         let mut found = Vec::new();
-        while let Some(seed) = Some(next.fetch_add(1, Ordering::Relaxed)).filter(|s| *s < end) {
+        while let Some(seed) = Some(next.fetch_add(1, Ordering::Relaxed)).filter(|s| *s < seeds.end) {
             found.extend(look(seed));
         }
         found
@@ -251,6 +257,7 @@ fn wishes() -> impl Strategy<Value = Specification> {
         area: m.0,
         clutter: m.1,
         style: None,
+        dressing: None,
     })
 }
 

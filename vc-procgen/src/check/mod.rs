@@ -181,8 +181,8 @@ pub(crate) fn missing<'a>(
         ]),
         RoomKind::Wc => needs.extend([("toilet", &["toilet"][..]), ("basin", &["washbasin"][..])]),
         RoomKind::Living => {
-            needs.push(("seat", &["sofa", "armchair", "loveseat"]));
-            needs.push(("table", &["coffee_table", "dining_table", "side_table"]));
+            needs.push(("seat", &["sofa", "armchair", "loveseat", "sofa_bed", "recliner", "rocking_chair"]));
+            needs.push(("table", &["coffee_table", "low_table", "dining_table", "kitchen_table", "side_table"]));
             if studio {
                 needs.push(bed);
                 needs.extend(kitchen);

@@ -5,6 +5,7 @@
 //! on its stand), then others sampled by the habit weights of the class table. Every object lies
 //! within a surface of its carrier, and no two on one surface overlap.
 
+mod dress;
 mod habits;
 mod set;
 mod surface_filler;
@@ -18,28 +19,51 @@ use vc_graph::{ClassTable, Seed};
 use vc_shapes::Generators;
 
 use crate::apartment::Apartment;
+use crate::dressing::Household;
 use crate::item::{Item, Support};
 use habits::{Choice, Habits, Place};
-use surface_filler::SurfaceFiller;
+use surface_filler::{SurfaceFiller, Taken};
 
-/// Fills an apartment; `amount` ranges from 0 (only the objects that furniture needs) to 1.
-pub(crate) fn fill(home: &mut Apartment, generators: &Generators, amount: f32, seed: Seed) {
-    let carriers = home.items.len();
+/// Fills an apartment; `amount` ranges from 0 (only the objects that furniture needs) to 1. With a household the lines of
+/// its table come before the habits.
+pub(crate) fn fill(
+    home: &mut Apartment,
+    generators: &Generators,
+    household: Option<&Household>,
+    amount: f32,
+    seed: Seed,
+) {
+    let carriers: Vec<usize> = (0..home.items.len()).filter(|&index| carries(&home.items[index])).collect();
     let standing = standing(&home.items);
     let mut choices = Choices { habits: Habits::with(generators), known: HashMap::new() };
-    for index in 0..carriers {
-        if home.items[index].support == Support::Built || home.items[index].object.asset.surfaces.is_empty() {
-            continue;
-        }
-        let own = seed.child("clutter").nth(index as u64);
+    let mut taken: Vec<Option<Taken>> = vec![None; home.items.len()];
+    let own = |index: usize| seed.child("clutter").nth(index as u64);
+    for &index in &carriers {
         let first = standing.partition_point(|s| s.carrier < index);
         let on_it = standing[first..].iter().take_while(|s| s.carrier == index);
-        let mut filler = SurfaceFiller::new(home, generators, index, own, on_it.map(|s| (s.surface, s.item)));
-        set::dress(&mut filler, amount);
-        for surface in 0..filler.surfaces() {
-            fill_surface(&mut filler, surface, &mut choices, amount);
+        let on_it = on_it.map(|s| (s.surface, s.item));
+        let mut filler = SurfaceFiller::new(home, generators, index, own(index), on_it);
+        if household.is_some() {
+            set::equip(&mut filler);
+            taken[index] = Some(filler.into_taken());
+        } else {
+            set::dress(&mut filler, amount);
+            (0..filler.surfaces()).for_each(|surface| fill_surface(&mut filler, surface, &mut choices, amount));
         }
     }
+    let Some(household) = household else { return };
+    dress::dress(home, generators, household, &mut taken);
+    for index in carriers {
+        let on_it = taken[index].take().unwrap_or_default();
+        let seed = own(index).child("habits");
+        let mut filler = SurfaceFiller::resume(home, generators, index, seed, on_it).by_habit();
+        (0..filler.surfaces()).for_each(|surface| fill_surface(&mut filler, surface, &mut choices, amount));
+    }
+}
+
+/// Whether things are put on or in an item.
+fn carries(item: &Item) -> bool {
+    item.support != Support::Built && !item.object.asset.surfaces.is_empty()
 }
 
 /// A piece of furniture that stands on another, such as a bowl on its vanity.

@@ -9,15 +9,8 @@ use crate::draft::Draft;
 
 /// Adds the objects that a piece needs, and those it usually has.
 pub(super) fn dress(k: &mut SurfaceFiller<'_>, amount: f32) {
+    equip(k);
     match k.class() {
-        "double_bed" => bedding(k, 2),
-        "single_bed" | "kids_bed" => bedding(k, 1),
-        "sofa" | "loveseat" => cushions(k),
-        "tv_stand" => television(k),
-        "desk" => workplace(k),
-        "nightstand" => lamp(k, "table_lamp", 0.8),
-        "side_table" => lamp(k, "table_lamp", 0.4),
-        "kitchen_sink" | "washbasin" => tap(k),
         "kitchen_cabinet" => worktop(k, amount),
         "wall_hook_rack" | "coat_rack" | "hall_stand" => {
             coats(k, &["jacket", "coat", "hat", "bag", "umbrella", "scarf", "backpack"], 0.6 * amount.max(0.3))
@@ -27,6 +20,21 @@ pub(super) fn dress(k: &mut SurfaceFiller<'_>, amount: f32) {
         "bookshelf" | "low_bookcase" => books(k, amount),
         "wall_shelf" => books(k, amount * 0.6),
         "stove" => cookware(k, amount),
+        _ => {}
+    }
+}
+
+/// Adds the objects without which a piece is not one: bedding, a tap, a television.
+pub(super) fn equip(k: &mut SurfaceFiller<'_>) {
+    match k.class() {
+        "double_bed" => bedding(k, 2),
+        "single_bed" | "kids_bed" => bedding(k, 1),
+        "sofa" | "loveseat" => cushions(k),
+        "tv_stand" => television(k),
+        "desk" => workplace(k),
+        "nightstand" => lamp(k, "table_lamp", 0.8),
+        "side_table" => lamp(k, "table_lamp", 0.4),
+        "kitchen_sink" | "washbasin" => tap(k),
         _ => {}
     }
 }
@@ -179,58 +187,86 @@ fn coats(k: &mut SurfaceFiller<'_>, classes: &[&str], chance: f32) {
         if !hook || !k.rng.chance(chance) {
             continue;
         }
-        let drop = k.surface(surface).and_then(|s| s.clearance).unwrap_or(1.0);
         let class = classes[k.rng.below(classes.len())];
-        let size = match class {
-            "coat" | "dress" | "bathrobe" => [0.1, 0.4, 1.05],
-            "jacket" | "suit" | "shirt" => [0.1, 0.4, 0.75],
-            "towel" | "bath_towel" => [0.05, 0.4, 0.6],
-            "scarf" => [0.05, 0.15, 0.8],
-            "umbrella" => [0.08, 0.1, 0.8],
-            "hat" => [0.12, 0.26, 0.28],
-            _ => [0.14, 0.3, 0.42],
-        };
-        if size[2] < drop
-            && let Some(object) = k.make(class, Some(size))
-        {
-            k.hang(&object, surface);
-        }
+        hang(k, class, surface);
     }
 }
+
+/// Hangs an object of a class from a hook or a rod.
+fn hang(k: &mut SurfaceFiller<'_>, class: &str, surface: usize) -> Option<usize> {
+    let drop = k.surface(surface).and_then(|s| s.clearance).unwrap_or(1.0);
+    let size = hung_size(class);
+    if size[2] >= drop {
+        return None;
+    }
+    let object = k.make(class, Some(size))?;
+    k.hang(&object, surface)
+}
+
+/// The size of a hung object: depth, width, height, metres.
+pub(super) fn hung_size(class: &str) -> [f32; 3] {
+    match class {
+        "coat" | "dress" | "bathrobe" | "raincoat" | "pants" | "jeans" => [0.1, 0.4, 1.05],
+        "jacket" | "suit" | "shirt" | "sweater" | "hoodie" | "t_shirt" | "skirt" => [0.1, 0.4, 0.75],
+        "towel" | "bath_towel" => [0.05, 0.4, 0.6],
+        "scarf" => [0.05, 0.15, 0.8],
+        "umbrella" => [0.08, 0.1, 0.8],
+        "hat" => [0.12, 0.26, 0.28],
+        _ => [0.14, 0.3, 0.42],
+    }
+}
+
+/// The classes of the books on shelves.
+const BOOKS: [&str; 4] = ["novel", "novel", "textbook", "cookbook"];
 
 /// Places rows of standing books, from a shelf's left side.
 fn books(k: &mut SurfaceFiller<'_>, amount: f32) {
     for surface in 0..k.surfaces() {
-        let Some((centre, half, clearance)) =
-            k.surface(surface).map(|s| (s.centre, s.half, s.clearance.unwrap_or(0.3)))
-        else {
-            return;
-        };
-        if half.0 < 0.07 || clearance < 0.16 || !k.rng.chance(amount.min(0.9)) {
-            continue;
-        }
-        let fill = k.rng.between(0.3, 0.8) * 2.0 * half.1;
-        let mut y = 0.01;
-        let mut book: Option<Draft> = None;
-        while y < fill {
-            if book.is_none() || k.rng.chance(0.7) {
-                let class = ["novel", "novel", "textbook", "cookbook"][k.rng.below(4)];
-                book = k.make(class, None).map(|b| k.upright(b, on_edge()));
-            }
-            let Some(standing) = &book else { break };
-            let size = standing.size();
-            if size.z > clearance - 0.01 || size.x > 2.0 * half.0 - 0.01 {
-                book = None;
-                y += 0.02;
-                continue;
-            }
-            let at = (centre.x + half.0 - size.x / 2.0 - 0.006, centre.y + half.1 - y - size.y / 2.0);
-            if k.place(standing, surface, at, 0.0).is_none() {
-                break;
-            }
-            y += size.y + 0.005;
+        if is_bookshelf(k, surface) && k.rng.chance(amount.min(0.9)) {
+            let filled = k.rng.between(0.3, 0.8);
+            row(k, surface, &BOOKS, filled);
         }
     }
+}
+
+/// Whether books stand upright on a surface.
+fn is_bookshelf(k: &SurfaceFiller<'_>, surface: usize) -> bool {
+    k.surface(surface).is_some_and(|s| s.half.0 >= 0.07 && s.clearance.unwrap_or(0.3) >= 0.16)
+}
+
+/// Places a row of standing books of some classes over a share of a shelf's width; returns the last of them.
+pub(super) fn row<C: AsRef<str>>(
+    k: &mut SurfaceFiller<'_>,
+    surface: usize,
+    classes: &[C],
+    filled: f32,
+) -> Option<usize> {
+    if !is_bookshelf(k, surface) {
+        return None;
+    }
+    let (centre, half, clearance) = k.surface(surface).map(|s| (s.centre, s.half, s.clearance.unwrap_or(0.3)))?;
+    let fill = filled * 2.0 * half.1;
+    let mut y = 0.01;
+    let mut book: Option<Draft> = None;
+    let mut last = None;
+    while y < fill {
+        if book.is_none() || k.rng.chance(0.7) {
+            let class = classes.get(k.rng.below(classes.len()))?.as_ref();
+            book = k.make(class, None).map(|b| k.upright(b, on_edge()));
+        }
+        let Some(standing) = &book else { break };
+        let size = standing.size();
+        if size.z > clearance - 0.01 || size.x > 2.0 * half.0 - 0.01 {
+            book = None;
+            y += 0.02;
+            continue;
+        }
+        let at = (centre.x + half.0 - size.x / 2.0 - 0.006, centre.y + half.1 - y - size.y / 2.0);
+        let Some(item) = k.place(standing, surface, at, 0.0) else { break };
+        last = Some(item);
+        y += size.y + 0.005;
+    }
+    last
 }
 
 /// The rotation of a book from lying flat, with the spine at -Y and the head at -X, to standing

@@ -19,8 +19,15 @@ use crate::plan::{RoomKind, Scheme};
 const GAP: f32 = 0.004;
 /// The space that stays free below the ceiling, metres.
 const HEADROOM: f32 = 0.05;
-/// The number of positions sampled before an object is left out.
-const TRIES: usize = 12;
+/// The number of positions sampled before an object is left out: of those kept there by habit, and of those that a line
+/// of a table has there.
+const HABIT: usize = 12;
+const MEANT: usize = 40;
+/// The height of what stands in an open holder, as a multiple of the holder's depth.
+const OUT: f32 = 2.6;
+
+/// The occupied areas of each surface of an item, in its frame.
+pub(super) type Taken = Vec<Vec<Area>>;
 
 /// Fills the surfaces of one item.
 pub(super) struct SurfaceFiller<'a> {
@@ -30,8 +37,9 @@ pub(super) struct SurfaceFiller<'a> {
     pub(super) rng: Stream,
     seed: Seed,
     made: u64,
-    /// The occupied areas of each surface, in the carrier's frame.
-    taken: Vec<Vec<Area>>,
+    taken: Taken,
+    /// The number of positions sampled before an object is left out.
+    tries: usize,
 }
 
 impl<'a> SurfaceFiller<'a> {
@@ -51,7 +59,29 @@ impl<'a> SurfaceFiller<'a> {
             let bounds = item.object.bounds.aabb(&(own * item.pose));
             taken[surface].push(Area { x0: bounds.min.x, y0: bounds.min.y, x1: bounds.max.x, y1: bounds.max.y });
         }
-        Self { home, generators, carrier, rng: seed.stream(), seed, made: 0, taken }
+        Self { tries: HABIT, ..Self::resume(home, generators, carrier, seed, taken) }
+    }
+
+    /// A filler for an item with areas that are taken.
+    pub(super) fn resume(
+        home: &'a mut Apartment,
+        generators: &'a Generators,
+        carrier: usize,
+        seed: Seed,
+        taken: Taken,
+    ) -> Self {
+        Self { home, generators, carrier, rng: seed.stream(), seed, made: 0, taken, tries: MEANT }
+    }
+
+    /// Tries fewer positions for what is kept here by habit.
+    pub(super) fn by_habit(mut self) -> Self {
+        self.tries = HABIT;
+        self
+    }
+
+    /// The areas that are taken in the end.
+    pub(super) fn into_taken(self) -> Taken {
+        self.taken
     }
 
     pub(super) fn class(&self) -> &'static str {
@@ -80,6 +110,14 @@ impl<'a> SurfaceFiller<'a> {
         self.home.items[self.carrier].object.asset.surfaces.iter().position(|s| s.hold == hold)
     }
 
+    /// The surfaces that hold objects in a way, in random order.
+    pub(super) fn holding(&mut self, hold: Hold) -> Vec<usize> {
+        let surfaces = self.home.items[self.carrier].object.asset.surfaces.iter().enumerate();
+        let mut all: Vec<usize> = surfaces.filter(|(_, s)| s.hold == hold).map(|(i, _)| i).collect();
+        self.rng.shuffle(&mut all);
+        all
+    }
+
     /// The surfaces whose names begin with a prefix.
     pub(super) fn named(&self, name: &str) -> Vec<usize> {
         let surfaces = self.home.items[self.carrier].object.asset.surfaces.iter().enumerate();
@@ -94,6 +132,11 @@ impl<'a> SurfaceFiller<'a> {
             Some(size) => Draft::sized(generator, size.into(), seed),
             None => Draft::usual(generator, seed),
         })
+    }
+
+    /// Whether objects of a class permit actions of a kind.
+    pub(super) fn affords(&self, class: &str, property: Property) -> bool {
+        self.generators.get(class).is_some_and(|generator| generator.affords(property))
     }
 
     /// Puts an object of a class somewhere on a surface.
@@ -112,8 +155,48 @@ impl<'a> SurfaceFiller<'a> {
 
     /// Puts a copy of an object that is already there.
     pub(super) fn put_beside(&mut self, like: usize, surface: usize) -> Option<usize> {
-        let object = Draft::from_object(self.home.items[like].object.clone());
+        let object = self.copy_of(like);
         self.put_object(&object, surface)
+    }
+
+    /// A copy of an object that is already there.
+    pub(super) fn copy_of(&self, like: usize) -> Draft {
+        Draft::from_object(self.home.items[like].object.clone())
+    }
+
+    /// Puts an object along the back edge of a surface, facing the carrier's front.
+    pub(super) fn put_back(&mut self, object: &Draft, surface: usize) -> Option<usize> {
+        let (centre, half) = self.surface(surface).map(|s| (s.centre, s.half))?;
+        let (hx, hy) = (object.size().x / 2.0, object.size().y / 2.0);
+        let room = half.1 - hy;
+        if room < 0.0 {
+            return None;
+        }
+        let x = centre.x - half.0 + hx + GAP + self.rng.between(0.0, 0.03).min((half.0 - hx).max(0.0));
+        (0..self.tries).find_map(|_| {
+            let y = centre.y + self.rng.between(-room, room);
+            self.place(object, surface, (x, y), 0.0)
+        })
+    }
+
+    /// Puts an object on the top before a chair, whose area is in the carrier's frame; its front points away from the
+    /// chair.
+    pub(super) fn put_before_seat(&mut self, object: &Draft, chair: &Area) -> Option<usize> {
+        /// The distance of a plate from the table's edge, metres.
+        const EDGE: f32 = 0.03;
+        let surface = self.first(Hold::On)?;
+        let (centre, half) = self.surface(surface).map(|s| (s.centre, s.half))?;
+        let (x, y) = chair.centre();
+        let (dx, dy) = (x - centre.x, y - centre.y);
+        let reach = object.size().x / 2.0 + EDGE;
+        let (quarter, turn) = (std::f32::consts::FRAC_PI_2, std::f32::consts::PI);
+        let ((ax, ay), yaw) = match (dx.abs() - half.0 > dy.abs() - half.1, dx > 0.0, dy > 0.0) {
+            (true, true, _) => ((half.0 - reach, dy), turn),
+            (true, false, _) => ((reach - half.0, dy), 0.0),
+            (false, _, true) => ((dx, half.1 - reach), -quarter),
+            (false, _, false) => ((dx, reach - half.1), quarter),
+        };
+        self.place(object, surface, (centre.x + ax, centre.y + ay), yaw)
     }
 
     /// Puts an object at a sampled position on a surface, rotated so that it fits.
@@ -121,7 +204,7 @@ impl<'a> SurfaceFiller<'a> {
         let (centre, half, hold) = self.surface(surface).map(|s| (s.centre, s.half, s.hold))?;
         let aligned = hold == Hold::Inside;
         let fronts = aligned && self.generators.get(object.class()).is_some_and(has_front);
-        for _ in 0..TRIES {
+        for _ in 0..self.tries {
             let drawn = [0, 1, 2, 3][self.rng.below(4)];
             let quarter = if fronts { 0 } else { drawn };
             let jitter = if aligned || self.rng.chance(0.5) { 0.0 } else { self.rng.between(-0.25, 0.25) };
@@ -148,7 +231,10 @@ impl<'a> SurfaceFiller<'a> {
         let edge = Area::around(centre.x, centre.y, half.0 + GAP, half.1 + GAP);
         let height = object.size().z;
         let base = self.home.items[self.carrier].pose.translation.z + centre.z;
-        let tall = clearance.is_some_and(|c| height > c - GAP) || base + height > self.home.plan.ceiling - HEADROOM;
+        let reach = if self.is_open_above(surface) { OUT } else { 1.0 };
+        let tall = clearance.is_some_and(|c| height > c * reach - GAP)
+            || self.headroom().is_some_and(|above| centre.z + height > above - GAP)
+            || base + height > self.home.plan.ceiling - HEADROOM;
         if tall || !edge.holds(&area) || self.taken[surface].iter().any(|t| t.overlaps(&area)) {
             return None;
         }
@@ -162,6 +248,25 @@ impl<'a> SurfaceFiller<'a> {
         Some(self.add(object, local, support))
     }
 
+    /// The free height over the surface on which the carrier itself stands, for what a table puts into a holder.
+    fn headroom(&self) -> Option<f32> {
+        let (Support::On(at, surface) | Support::Inside(at, surface)) = self.home.items[self.carrier].support else {
+            return None;
+        };
+        let clearance = self.home.items[at].object.asset.surfaces.get(surface)?.clearance;
+        clearance.filter(|_| self.tries == MEANT)
+    }
+
+    /// Whether things that a table puts into a hollow may look out of it: into a holder or a basket without a lid.
+    fn is_open_above(&self, surface: usize) -> bool {
+        let object = &self.home.items[self.carrier].object;
+        let open = self.surface(surface).is_some_and(|s| {
+            let top = s.centre.z + s.clearance.unwrap_or(0.0);
+            s.hold == Hold::Inside && top > object.bounds.offset.z + object.bounds.half.z - 0.03
+        });
+        self.tries == MEANT && open && object.asset.parts.iter().all(|part| part.joint.is_none())
+    }
+
     /// Puts an object of which only the base needs the surface: the spout of a tap reaches over the
     /// bowl in front.
     pub(super) fn place_over(&mut self, object: &Draft, surface: usize, at: (f32, f32)) -> Option<usize> {
@@ -173,13 +278,18 @@ impl<'a> SurfaceFiller<'a> {
         Some(self.add(object, local, Support::On(self.carrier, surface)))
     }
 
-    /// Hangs an object from a hook, its back off the wall.
+    /// Hangs an object from a hook, its back off the wall; on a rod with its shoulders across it.
     pub(super) fn hang(&mut self, object: &Draft, surface: usize) -> Option<usize> {
+        let rod = self.surface(surface).is_some_and(|s| s.name.starts_with("rod"));
+        self.hang_turned(object, surface, rod)
+    }
+
+    /// Hangs an object from a hook: its back off the wall, or, if it hangs from a rod, turned across it.
+    pub(super) fn hang_turned(&mut self, object: &Draft, surface: usize, rod: bool) -> Option<usize> {
         let (point, drop) = self.surface(surface).map(|s| (s.centre, s.clearance.unwrap_or(2.0)))?;
         let size = object.size();
         let carrier = self.home.items[self.carrier].object.bounds;
         // On a rod clothes hang side by side, their shoulders across it.
-        let rod = self.surface(surface).is_some_and(|s| s.name.starts_with("rod"));
         let (yaw, half) = match rod {
             true => (std::f32::consts::FRAC_PI_2, (size.y / 2.0, size.x / 2.0)),
             false => (0.0, (size.x / 2.0, size.y / 2.0)),

@@ -7,6 +7,7 @@
 
 mod bathroom;
 mod bedroom;
+mod dress;
 mod fixtures;
 mod kitchen;
 mod living;
@@ -22,8 +23,9 @@ use std::sync::Arc;
 use vc_graph::{Seed, Stream};
 use vc_shapes::{Generators, Object, Style};
 
-use crate::area::Facing;
+use crate::area::{Area, Facing};
 use crate::draft::Draft;
+use crate::dressing::{Household, Rule};
 use crate::error::SpecificationError;
 use crate::item::{Item, Support, standing};
 use crate::plan::{FloorPlan, OpeningKind, RoomKind};
@@ -54,13 +56,15 @@ impl Item {
     }
 }
 
-/// The furniture of a whole plan, room by room, as boxes, with the draft of each piece.
+/// The furniture of a whole plan, room by room, as boxes, with the draft of each piece; also what a household's table of
+/// dressing has on floors and walls.
 ///
 /// # Errors
 /// [`SpecificationError::NoPlace`] with the room and the piece that does not fit.
 pub(crate) fn furnish(
     plan: &FloorPlan,
     made_by: (&Style, &Generators),
+    household: Option<&Household>,
     seed: Seed,
 ) -> Result<(Vec<Item>, Vec<Draft>), SpecificationError> {
     let open_kitchen = plan.openings.iter().any(|o| {
@@ -72,23 +76,37 @@ pub(crate) fn furnish(
     // occur early.
     order.sort_by_key(|&r| strictness(plan.rooms[r].kind));
     let (mut items, mut drafts) = (Vec::new(), Vec::new());
+    let mut furnished = Vec::new();
     for index in order {
         let space = Space::new(plan, index);
         let own = seed.child("furnish").nth(index as u64);
         let dealt = (0..DEALS).try_fold(None, |_, deal| {
             let mut furnisher = Furnisher::new(index, made_by, own.nth(deal), space.clone(), items.len());
+            furnisher.rules = household.map_or_else(Vec::new, |h| h.rules(index, plan.rooms[index].kind).collect());
             match furnish_room(&mut furnisher, plan, open_kitchen) {
-                Ok(()) => ControlFlow::Break((furnisher.items, furnisher.drafts)),
+                Ok(()) => ControlFlow::Break(furnisher),
                 Err(error) => ControlFlow::Continue(Some(error)),
             }
         });
         match dealt {
-            ControlFlow::Break((mut dealt, mut drawn)) => {
-                items.append(&mut dealt);
-                drafts.append(&mut drawn);
+            ControlFlow::Break(mut furnisher) if household.is_none() => {
+                items.append(&mut furnisher.items);
+                drafts.append(&mut furnisher.drafts);
+            }
+            // Rooms are dressed when all are furnished, because furnishing fails often.
+            ControlFlow::Break(furnisher) => {
+                items.extend(furnisher.items.iter().cloned());
+                drafts.extend(furnisher.drafts.iter().cloned());
+                furnished.push(furnisher);
             }
             ControlFlow::Continue(error) => return Err(error.unwrap_or_else(|| unwalkable(plan, index))),
         }
+    }
+    for mut furnisher in furnished {
+        let before = furnisher.items.len();
+        dress::dress(&mut furnisher, plan);
+        items.extend(furnisher.items.drain(before..));
+        drafts.extend(furnisher.drafts.drain(before..));
     }
     Ok((items, drafts))
 }
@@ -145,6 +163,10 @@ struct Furnisher<'a> {
     drafts: Vec<Draft>,
     /// The number of drafts made so far: each has a sub-seed of its own.
     made: u64,
+    /// The rules of dressing of this room, each with its seed.
+    rules: Vec<(&'a Rule, Seed)>,
+    /// The floor under door leaves, for what lies flat.
+    leaves: Vec<Area>,
 }
 
 impl<'a> Furnisher<'a> {
@@ -156,7 +178,20 @@ impl<'a> Furnisher<'a> {
         base: usize,
     ) -> Self {
         let (rng, items, drafts) = (seed.stream(), Vec::new(), Vec::new());
-        Self { room, style, generators, seed, rng, space, base, items, drafts, made: 0 }
+        Self {
+            room,
+            style,
+            generators,
+            seed,
+            rng,
+            space,
+            base,
+            items,
+            drafts,
+            made: 0,
+            rules: Vec::new(),
+            leaves: Vec::new(),
+        }
     }
 }
 
@@ -168,7 +203,15 @@ impl Furnisher<'_> {
     /// Drafts an object of a class, no larger than `size`; `None` if the class has no generator.
     fn make(&mut self, class: &str, size: [f32; 3]) -> Option<Draft> {
         self.made += 1;
-        Some(Draft::sized(self.generators.get(class)?, size.into(), self.seed.child("object").nth(self.made)))
+        let seed = self.seed.child("object").nth(self.made);
+        let Some(other) = dress::exchanged(&self.rules, class) else {
+            return Some(Draft::sized(self.generators.get(class)?, size.into(), seed));
+        };
+        // A piece of another class has that one's height.
+        let generator = self.generators.get(other)?;
+        let [deep, wide, high] = size;
+        let high = generator.usual_ranges().map_or(high, |[.., usual]| high.clamp(usual.low, usual.high));
+        Some(Draft::sized(generator, [deep, wide, high].into(), seed))
     }
 
     /// An error that names the missing piece.

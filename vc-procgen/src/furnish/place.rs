@@ -1,6 +1,7 @@
 //! Finding a placement: against a wall, beside another piece, or free in the room.
 
 use nalgebra::Vector3;
+use vc_graph::Property;
 
 use super::Furnisher;
 use super::space::{OFF_WALL, Side, Solid};
@@ -140,6 +141,20 @@ impl Furnisher<'_> {
 
     /// Hangs an object on a wall, its lower edge at `z`, if the place is free.
     pub(super) fn hang(&mut self, object: &Draft, side: usize, along: f32, z: f32) -> Option<usize> {
+        /// Objects no deeper than this hang over floor that must stay free, metres.
+        const SHALLOW: f32 = 0.06;
+        self.hang_within(object, side, (along, z), (SHALLOW, None))
+    }
+
+    /// As [`hang`](Self::hang), with the depth up to which an object may hang over floor that must stay free; also in the
+    /// box of a piece that has space in it, such as a shower.
+    pub(super) fn hang_within(
+        &mut self,
+        object: &Draft,
+        side: usize,
+        (along, z): (f32, f32),
+        (shallow, open): (f32, Option<Area>),
+    ) -> Option<usize> {
         let wall = &self.space.sides[side];
         let size = object.size();
         let (from, to) = (along - size.y / 2.0, along + size.y / 2.0);
@@ -153,13 +168,30 @@ impl Furnisher<'_> {
         let area = facing.area(wall.point(along, 0.001), size.x, size.y);
         let solid = Solid { area, low: z, high: z + size.z };
         // It must not be in the way of heads or doors.
-        let mut zones = self.space.ways.iter().chain(self.space.zones.iter().filter(|_| size.x > 0.06));
+        let kept = |zone: &&Area| size.x > shallow || self.opens_over(zone, z);
+        let mut zones = self.space.ways.iter().chain(self.space.zones.iter().filter(kept));
         let low = z < 1.9 && size.x > 0.05 && zones.any(|q| q.overlaps(&area));
         let pane = self.space.panes.iter().any(|p| p.hits(&solid));
-        let empty = !low && !pane && self.space.is_empty(&solid) && self.space.is_floor(&area);
+        let is_open = |s: &Solid| open.is_some_and(|open| open == s.area && open.grown(OFF_WALL).holds(&area));
+        let empty = !low && !pane && self.space.is_floor(&solid.area);
+        let empty = empty && !self.space.solids.iter().any(|s| s.hits(&solid) && !is_open(s));
         if !empty || !self.space.stays_open(&solid) {
             return None;
         }
         Some(self.add(object, area.centre(), z, facing, Support::Wall))
+    }
+
+    /// Whether a cupboard that reaches higher than `z` opens into a zone.
+    fn opens_over(&self, zone: &Area, z: f32) -> bool {
+        let opens = |class| {
+            self.generators.get(class).is_some_and(|generator| {
+                let [lid, holds, seat] = [Property::Openable, Property::Container, Property::Sittable];
+                // A toilet's lid opens over itself.
+                generator.affords(lid) && generator.affords(holds) && !generator.affords(seat)
+            })
+        };
+        self.items
+            .iter()
+            .any(|item| item.corners().1.z > z && zone.distance(&item.area()) < 0.01 && opens(item.object.class))
     }
 }

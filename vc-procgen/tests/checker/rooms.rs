@@ -16,8 +16,9 @@ const COOKING: [Need; 4] = [
     ("fridge", &["fridge"]),
     ("worktop", &["kitchen_cabinet", "kitchen_counter"]),
 ];
-const SEAT: Need = ("seat", &["sofa", "armchair", "loveseat", "chair", "dining_chair"]);
-const TABLE: Need = ("table", &["table", "dining_table", "coffee_table", "side_table", "kitchen_table"]);
+const SEAT: Need =
+    ("seat", &["sofa", "sofa_bed", "loveseat", "armchair", "recliner", "rocking_chair", "chair", "dining_chair"]);
+const TABLE: Need = ("table", &["table", "dining_table", "coffee_table", "low_table", "side_table", "kitchen_table"]);
 const DESK: Need = ("desk", &["desk", "computer_desk"]);
 
 pub(super) fn look(house: &mut House<'_>) {
