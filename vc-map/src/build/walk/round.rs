@@ -65,8 +65,8 @@ impl Walk<'_> {
         };
         let over: Vec<&Arm> = junction.arms.iter().filter(crossed).collect();
         let away = |point: &Point| (way.project(point).point - point).norm();
-        let from = over.iter().filter(|arm| self.leads_from(pair, arm)).map(|arm| self.begin(arm));
-        let via = from.filter(|begin| away(begin) > STRAIGHT).next_back();
+        let mut from = over.iter().filter(|arm| self.leads_from(pair, arm)).map(|arm| self.begin(arm));
+        let via = from.find(|begin| away(begin) > STRAIGHT);
         (pair.over, pair.via) = (over.into_iter().map(|arm| arm.road).collect(), via);
         corner || !pair.over.is_empty()
     }
