@@ -210,7 +210,9 @@ fn routes(map: &StreetMap) {
 /// Whether no road comes into a part of a map.
 fn is_outside(map: &StreetMap, [west, south, east, north]: [f64; 4]) -> bool {
     let within = |at: &vc_map::Point| (west..=east).contains(&at.x) && (south..=north).contains(&at.y);
-    let points = |line: &vc_map::Polyline| (0..=(line.length() / 5.0) as u32).map(|i| line.at(f64::from(i) * 5.0)).collect::<Vec<_>>();
+    let points = |line: &vc_map::Polyline| {
+        (0..=(line.length() / 5.0) as u32).map(|i| line.at(f64::from(i) * 5.0)).collect::<Vec<_>>()
+    };
     !map.roads().iter().any(|road| points(&road.line).iter().any(within))
 }
 
