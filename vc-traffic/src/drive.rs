@@ -8,7 +8,7 @@ use crate::network::NONE;
 /// Nobody looks further than this many links.
 const LINKS: usize = 8;
 /// A vehicle that turns off is in the way of the next as long as its rear is so near to where the ways part, metres.
-const PARTS: f32 = 5.0;
+pub(crate) const PARTS: f32 = 5.0;
 /// Vehicles slow down for a turn with this deceleration, metres per second squared.
 const FOR_TURN: f32 = 1.5;
 /// Those who have to change lanes stop so far before the line, metres; those who let them in brake at most so hard, metres per second squared.
@@ -24,6 +24,7 @@ impl Traffic {
             let link = link as usize;
             let queue = &self.roads.queue[link];
             let mut ahead: Option<(f32, f32)> = None;
+            let mut front = f32::NEG_INFINITY;
             for slot in queue {
                 let i = *slot as usize;
                 let (s, v) = (self.fleet.s[i], self.fleet.v[i]);
@@ -34,6 +35,11 @@ impl Traffic {
                     Some((rear, speed)) => driver.behind(v, rear - s, v - speed),
                     None => self.held_back(*slot, link as u32),
                 };
+                // Whoever is ahead may be over the line.
+                let stop = network.stop.get(link).copied().unwrap_or(f32::INFINITY);
+                let first = front > stop && s <= stop;
+                let held = if first { held.max(self.held_back(*slot, link as u32)) } else { held };
+                front = s;
                 acceleration[i] = (driver.free(v, desired) - held).max(-HARDEST);
                 ahead = Some((s - driver.length, v));
             }

@@ -87,9 +87,12 @@ impl Traffic {
             }
             let lane = network.from[movement];
             let on = self.roads.queue[*link as usize].front().copied();
-            let before = self.roads.queue[lane as usize].front().copied();
-            let waits = |slot: &u32| self.fleet.go[*slot as usize] == Go::Inside;
-            let Some(slot) = on.filter(waits).or(before.filter(waits)) else { continue };
+            let waits = |slot: &u32| {
+                let i = *slot as usize;
+                self.fleet.go[i] == Go::Inside && (self.fleet.link[i] == *link || self.fleet.next[i] == *link)
+            };
+            let before = || self.roads.queue[lane as usize].iter().copied().find(waits);
+            let Some(slot) = on.filter(waits).or_else(before) else { continue };
             if self.is_clear(junction, network.row[movement] as usize, *link) {
                 self.fleet.go[slot as usize] = Go::Over;
                 self.roads.wait(&network, movement, false);
@@ -98,10 +101,20 @@ impl Traffic {
         }
     }
 
-    /// The first on a lane, if it comes to its line and has to ask. One that may go and can still stop loses that at red.
+    /// The first on a lane before its line, if it comes to that and has to ask. One that may go and can still stop loses that at red.
     fn asks(&mut self, lane: u32) -> Option<Candidate> {
-        let slot = *self.roads.queue[lane as usize].front()?;
+        // Those beyond the line go over the junction already.
+        let stop = self.network.stop[lane as usize];
+        let gone = |slot: &u32| self.fleet.s[*slot as usize] > stop && self.fleet.go[*slot as usize] != Go::No;
+        let slot = self.roads.queue[lane as usize].iter().copied().find(|slot| !gone(slot))?;
         let i = slot as usize;
+        // Nobody goes whom somebody from the same lane keeps up who waits within the junction.
+        if self.is_kept_up(lane, slot) {
+            if self.fleet.s[i] <= stop {
+                self.refuse(slot);
+            }
+            return None;
+        }
         let network = &self.network;
         let link = self.fleet.next[i];
         if link == NONE || network.free[network.movement(link)] {
@@ -133,6 +146,22 @@ impl Traffic {
             None => !network.map.movements()[movement].yields.is_empty(),
         };
         Some(Candidate { slot, link, row, yields, away: away.max(0.0) / v.max(1.0), stood: self.fleet.stood[i] })
+    }
+
+    /// Whether somebody who waits within the junction, or is to, stands before the first of a lane.
+    fn is_kept_up(&self, lane: u32, slot: u32) -> bool {
+        let (network, fleet) = (&self.network, &self.fleet);
+        let mut ahead = self.roads.queue[lane as usize].iter().take_while(|other| **other != slot);
+        if ahead.any(|other| fleet.go[*other as usize] == Go::Inside) {
+            return true;
+        }
+        let last = self.roads.last[lane as usize];
+        if last == NONE || fleet.trip[last as usize] == NONE || fleet.go[last as usize] != Go::Inside {
+            return false;
+        }
+        let i = last as usize;
+        let on = !network.is_lane(fleet.link[i]) && network.from[network.movement(fleet.link[i])] == lane;
+        on && fleet.s[i] - self.drivers[fleet.class[i] as usize].length <= crate::drive::PARTS
     }
 
     /// Takes a promise back.
