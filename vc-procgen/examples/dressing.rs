@@ -1,4 +1,4 @@
-//! What dressing adds to rooms: visible things by kind of room, beside estimates of real homes; rooms with what they always
+//! The things that dressing adds to rooms: visible ones by kind of room, beside estimates of real homes; rooms with what they always
 //! have; classes in use.
 //!
 //! `cargo run --release -p vc-procgen --example dressing -- 200 42` counts 200 homes from seed 42 on, without and with the

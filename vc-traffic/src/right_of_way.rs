@@ -184,7 +184,9 @@ impl Traffic {
         let one = &asking[position];
         let movement = network.movement(one.link);
         let table = &network.map.junctions()[junction].conflicts;
-        if kept.iter().any(|row| table.has(one.row, *row)) || !self.has_room(one.slot, movement) {
+        // Of those who have waited for too long none keeps another one from going.
+        let waits = one.stood <= PATIENCE && kept.iter().any(|row| table.has(one.row, *row));
+        if waits || !self.has_room(one.slot, movement) {
             return false;
         }
         let lit = network.map.junctions()[junction].signal.is_some();

@@ -106,6 +106,8 @@ pub enum Reason {
     HoleOutside,
     /// It lies within a junction that was made of several nodes.
     WithinJunction,
+    /// The map has it but for what lies within a junction that was made of several nodes.
+    PartlyWithinJunction,
     /// A restriction of turns that no pair of roads fits.
     NoSuchTurn,
     /// A restriction of turns that holds at some times only.
@@ -144,6 +146,7 @@ impl fmt::Display for Reason {
             Self::NamedTooOften => "its ways are part of too many areas",
             Self::HoleOutside => "in part: a hole lies outside of its areas",
             Self::WithinJunction => "within a junction of several nodes",
+            Self::PartlyWithinJunction => "in part: without what lies within a junction of several nodes",
             Self::NoSuchTurn => "no turn fits",
             Self::AtTimes => "holds at some times only",
             Self::OtherUsers => "for users whom the map does not know",
@@ -207,6 +210,9 @@ impl ImportReport {
     /// Sorts the account, and lists every element and tag that nobody had a use for.
     pub(super) fn close(&mut self, source: &Source<'_>, room: &mut Room) -> Result<(), Full> {
         source.repeated.iter().for_each(|element| self.drop(*element, Reason::Repeated));
+        let within = self.dropped.iter_mut().filter(|(_, reason)| *reason == Reason::WithinJunction);
+        let kept = within.filter(|(element, _)| matches!(element, Element::Way(_)) && source.is_kept(*element));
+        kept.for_each(|(_, reason)| *reason = Reason::PartlyWithinJunction);
         self.dropped.sort();
         self.dropped.dedup();
         self.guessed.sort_by_key(|(element, _)| *element);

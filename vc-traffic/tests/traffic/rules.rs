@@ -93,6 +93,15 @@ fn all_arrive_none_overlap_and_none_goes_at_red() {
 }
 
 #[test]
+fn a_full_grid_empties() {
+    // For a while everybody at its middle has waited for more than a minute, and all give way to each other.
+    let map = grid(3, 2, Control::Priority, DrivingSide::Right);
+    let trips = trips(&map, 900, 300.0, &[0], Seed(4));
+    let [arrived, no_way] = run(&mut traffic(&map, trips), 12_000);
+    assert!(arrived + no_way == 900 && arrived > 400, "{arrived} {no_way}");
+}
+
+#[test]
 fn a_town_is_driven_through() {
     // Bridges, a roundabout, dual carriageways, tracks, one-way streets, dead ends.
     let draft = OsmData::from_xml(RIVERSIDE.as_bytes()).unwrap().draft(&ImportOptions::default()).unwrap().0;
