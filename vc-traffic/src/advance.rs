@@ -46,7 +46,6 @@ impl Traffic {
             let (v, a) = (fleet.v[i], fleet.acceleration[i]);
             let faster = v + a * dt;
             let way = if faster > 0.0 { (v + faster) * 0.5 * dt } else { v * v / (-2.0 * a).max(1e-6) };
-            let way = way.min(v * dt + 0.5 * dt * dt * 10.0);
             fleet.v[i] = faster.max(0.0);
             fleet.s[i] += way;
             fleet.way[i] += way;

@@ -9,8 +9,11 @@ use crate::network::NONE;
 const LINKS: usize = 8;
 /// A vehicle that turns off is in the way of the next as long as its rear is so near to where the ways part, metres.
 pub(crate) const PARTS: f32 = 5.0;
-/// Vehicles slow down for a turn with this deceleration, metres per second squared.
-const FOR_TURN: f32 = 1.5;
+/// Vehicles begin to slow down for a turn when that takes this deceleration, metres per second squared.
+const FOR_TURN: f32 = 1.05;
+/// One stops this far before a line, and looks this much further than it has to, metres.
+const BEFORE_LINE: f32 = 1.0;
+const FURTHER: f32 = 10.0;
 /// Those who have to change lanes stop so far before the line, metres; those who let them in brake at most so hard, metres per second squared.
 const TO_CHANGE: f32 = 15.0;
 const COURTEOUS: f32 = 2.0;
@@ -87,7 +90,7 @@ impl Traffic {
         let v = self.fleet.v[i];
         let class = self.fleet.class[i] as usize;
         let (driver, users) = (&self.drivers[class], self.classes[class].users);
-        let sight = driver.sight(v) + 10.0;
+        let sight = driver.sight(v) + FURTHER;
         let mut held = 0.0_f32;
         let mut away = network.length[link as usize] - self.fleet.s[i];
         let mut leg = self.fleet.leg[i] as usize;
@@ -123,7 +126,7 @@ impl Traffic {
             if !goes {
                 // One that has to change lanes keeps room to do so.
                 let line = if first && next == NONE && line > TO_CHANGE { line - TO_CHANGE } else { line };
-                return held.max(driver.behind(v, line.max(0.0) + driver.standing_gap - 1.0, v));
+                return held.max(driver.behind(v, line.max(0.0) + driver.standing_gap - BEFORE_LINE, v));
             }
             let movement = network.movement(next);
             if first && self.fleet.go[i] == Go::Inside {
@@ -132,7 +135,7 @@ impl Traffic {
             let turn = network.limit[next as usize] * self.fleet.share[i].min(1.0);
             if v > turn {
                 let needed = (v * v - turn * turn) / (2.0 * away.max(0.5));
-                if needed > FOR_TURN * 0.7 {
+                if needed > FOR_TURN {
                     held = held.max(needed + driver.acceleration);
                 }
             }

@@ -168,7 +168,7 @@ impl Network {
         station * self.length[beside as usize] / self.length[lane as usize]
     }
 
-    /// The movement from a lane to a side of a road; the one that keeps to the lane's place among its neighbours, if several do.
+    /// A movement from a lane to a side of a road: the first, if there are several.
     pub(crate) fn towards(&self, lane: u32, side: u32, users: Users) -> Option<u32> {
         let fits = |link: &&u32| {
             let to = self.to[self.movement(**link)] as usize;

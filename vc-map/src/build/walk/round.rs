@@ -100,8 +100,8 @@ impl Walk<'_> {
         !road.draft.class.is_street() && (from - begin).norm() < SAME
     }
 
-    /// Whether a way leads across its roads rather than along them, from edge to edge, and is not much longer than they are wide. Over rails one goes
-    /// as the street does.
+    /// Whether a way leads across its roads rather than along them, from edge to edge, and is not much longer than they are wide. Over
+    /// rails one goes as the street does.
     pub(super) fn leads_across(&self, junction: &Junction, pair: &Pair) -> bool {
         if pair.over.iter().all(|road| self.roads[road.index()].draft.class.is_rail()) {
             return true;
@@ -165,12 +165,10 @@ impl Walk<'_> {
             }
         }
         // Where people walk in a street, and the map has a crossing, one crosses there, too.
-        for (position, (place, away, node)) in ends.iter().enumerate() {
+        for (position, (_, away, node)) in ends.iter().enumerate() {
             let Footway::Shared(road) = self.feet[node.index()].way else { continue };
             let around = [ends.len() - 1, 1].map(|step| ends[(position + step) % ends.len()]);
-            let paths = around.iter().all(|(_, _, end)| self.is_path(*end))
-                && around[0].0 != around[1].0
-                && *place < items.len();
+            let paths = around.iter().all(|(_, _, end)| self.is_path(*end)) && around[0].0 != around[1].0;
             if paths && self.rule.is_given(id, road) {
                 let [from, to] = around;
                 pairs.push(Pair {
