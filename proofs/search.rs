@@ -1,7 +1,7 @@
 //! A breadth-first search of many states of a home: the program that `proofs/search` runs for each home.
 //!
-//! `search SEED STATES` prints one line: the memory of copies of a home in which somebody has acted, of states, and of
-//! homes restored from them, what the search took, and how fast it was. Memory is that which the system gives the
+//! `search SEED STATES` prints one line: the memory of copies of a home in which somebody has acted, also when they are compacted,
+//! of states, and of homes restored from them, what the search took, and how fast it was. Memory is that which the system gives the
 //! process (Linux).
 
 #![expect(
@@ -129,11 +129,16 @@ fn main() {
     let (seconds, peak) = (begin.elapsed().as_secs_f64(), memory("VmHWM") / 1e6);
     let (copy, copies) = weighed(COPIES, |_| home.clone());
     let (heavy, all) = weighed(COPIES, |seed| acted(&home, me, seed));
+    let (compact, small) = weighed(COPIES, |seed| {
+        let mut copy = acted(&home, me, seed);
+        copy.compact().unwrap();
+        copy
+    });
     let bytes: Vec<usize> = found.states.iter().map(EnvironmentState::bytes).collect();
     let number = bytes.len();
     println!(
-        "home {seed} of {nodes} nodes: a copy {copy:.0} kB, one that acted {heavy:.0} kB, one restored from a state \
-         {light:.0} kB; {number} states ({} not saved, {} actions failed), {:.1} kB each, {:.1} at most, {:.0} states per \
+        "home {seed} of {nodes} nodes: a copy {copy:.0} kB, one that acted {heavy:.0} kB, compacted {compact:.0} kB, one restored \
+         from a state {light:.0} kB; {number} states ({} not saved, {} actions failed), {:.1} kB each, {:.1} at most, {:.0} states per \
          second: {:.1} ms to wake, {:.1} to act, {:.1} to save; {fixed:.0} MB before, peak {peak:.0} MB",
         found.refused,
         found.failed,
@@ -144,5 +149,5 @@ fn main() {
         found.done.milliseconds(),
         found.saved.milliseconds(),
     );
-    drop((copies, all));
+    drop((copies, all, small));
 }

@@ -49,7 +49,7 @@ impl Reference {
     }
 
     /// The difference of a region at rest from how it is made: where things are, and nothing of the engine. It is kept with its
-    /// engine if its bodies cannot be built anew, or would be turned by a unit in the last place by that.
+    /// engine if its bodies cannot be built anew where they are.
     fn changes_at_rest(&self, environment: &Environment) -> Result<Changes, SaveError> {
         let mut rested = environment.clone();
         match rested.save_rest() {
@@ -87,8 +87,8 @@ impl City {
         self.reference(region)?.changes(environment).map_err(|why| self.unsaved(region, why))
     }
 
-    /// The bytes that a region takes which somebody has changed and in which nobody is: those of its changes, and of its
-    /// bodies as the engine has them unless these come out the same to the bit when they are built anew. None while it is
+    /// The bytes that a region takes which somebody has changed and in which nobody is: those of its changes, a few kilobytes
+    /// where somebody has opened a fridge. None while it is
     /// there, and if nothing differs in it from how it was made.
     ///
     /// ```

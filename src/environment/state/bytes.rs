@@ -9,7 +9,7 @@ use vc_relations::Relations;
 
 use super::StateError;
 use super::waking::read;
-use crate::environment::{Environment, SaveError, Start};
+use crate::environment::{Environment, SaveError, Start, observe};
 use crate::parts::{self, Magic};
 
 /// The bytes with which environments at rest begin.
@@ -33,7 +33,8 @@ impl Environment {
     /// as all that are read from them, as by [`save_state`](Self::save_state).
     pub(crate) fn save_rest(&mut self) -> Result<Vec<u8>, RestFault> {
         let state = self.save_state()?;
-        let told = told(&ChangeSet::between(&self.start.graph, &self.graph));
+        let is_at_its_body = |id: NodeId| self.start.time.bodies && self.world.pose(id).is_some();
+        let told = told(&ChangeSet::between(&self.start.graph, &self.graph), is_at_its_body);
         let library = (self.graph.assets().clone(), self.graph.next_number());
         let again = Reread::of(&self.start, &mut self.world.clone(), (&told, library))?;
         let untold = ChangeSet::between(&again.graph, &self.graph);
@@ -83,6 +84,9 @@ impl Reread {
         (told, library): (&ChangeSet, (Arc<AssetLibrary>, u32)),
     ) -> Result<Self, StateError> {
         let mut graph = with(&start.graph, told, library)?;
+        if start.time.bodies {
+            observe::write_poses(&mut graph, world)?;
+        }
         let (relations, floor, met) = read(start, world, &graph)?;
         let places = |graph: &SceneGraph, id: NodeId| Some(graph.places(id).collect::<Vec<Place>>());
         relations.write_except(&mut graph, &met, places)?;
@@ -103,8 +107,8 @@ fn with(
     Ok(builder.build())
 }
 
-/// The changes that geometry does not tell; whatever goes leaves all.
-fn told(changes: &ChangeSet) -> ChangeSet {
+/// The changes that neither bodies nor geometry tell; whatever goes leaves all.
+fn told(changes: &ChangeSet, is_at_its_body: impl Fn(NodeId) -> bool) -> ChangeSet {
     let gone = |change: &Change| match change {
         Change::Remove(node) => Some(node.id()),
         _ => None,
@@ -114,6 +118,7 @@ fn told(changes: &ChangeSet) -> ChangeSet {
     let is_told = |change: &&Change| match change {
         Change::Link(edge) => !Relations::reads(edge.relation),
         Change::Unlink(edge) => !Relations::reads(edge.relation) || leaves(edge),
+        Change::Pose { id, .. } => !is_at_its_body(*id),
         _ => true,
     };
     changes.changes().iter().filter(is_told).cloned().collect()

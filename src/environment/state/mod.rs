@@ -82,9 +82,8 @@ impl Environment {
     ///
     /// Bodies are built anew from what is saved (*rest is a rebuild*), here as in every environment that is restored, so
     /// that all of them evolve alike from then on, bit for bit. An environment that was not saved evolves otherwise in last
-    /// digits of poses, as its contacts have another past. Nothing moves by that: rotations change by some units in the
-    /// last place, once, and a thing that would not stay when it is built anew, one in thousands, is
-    /// [pinned](vc_physics::PhysicsWorld::pin).
+    /// digits of poses, as its contacts have another past. Nothing moves by that; a thing that would not stay when it is
+    /// built anew, one in thousands, is [pinned](vc_physics::PhysicsWorld::pin).
     ///
     /// Cameras that were added are saved with it; sensors, settings of pictures and threads are not.
     ///
@@ -205,6 +204,33 @@ impl Environment {
             #[cfg(feature = "render")]
             threads: self.threads.clone(),
         })
+    }
+
+    /// Gives the memory of bodies, relations and floor back until somebody asks for them: some megabytes of an environment that has
+    /// acted, of which some tens of kilobytes stay. It is for many environments that are kept side by side, and does what
+    /// [`restore_state`](Self::restore_state) of [`save_state`](Self::save_state) does.
+    ///
+    /// Costs what `save_state` costs.
+    ///
+    /// # Errors
+    /// Those of `save_state`; then nothing has changed.
+    ///
+    /// ```
+    /// use virtualcity::Environment;
+    /// let home = Environment::make("apartment/42", 1)?;
+    /// let (me, sofa) = (home.agents()[0], home.graph().of_class("sofa")[0]);
+    /// let mut copies = vec![home.clone(); 10];
+    /// for copy in &mut copies {
+    ///     copy.set_action(me, format!("walk sofa.{}", sofa.0).parse()?)?;
+    ///     copy.compact()?;
+    /// }
+    /// assert!(copies.windows(2).all(|pair| pair[0].digest() == pair[1].digest()));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn compact(&mut self) -> Result<(), StateError> {
+        let state = self.save_state()?;
+        *self = self.restore_state(&state)?;
+        Ok(())
     }
 
     /// The state that this environment was restored from, if nothing has happened since.

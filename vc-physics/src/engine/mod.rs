@@ -313,8 +313,10 @@ impl Engine {
         );
     }
 
+    /// The pose of a body; of one that sleeps that in which it would be built anew, so that nobody can tell whether it was.
     pub(crate) fn pose(&self, body: RigidBodyHandle) -> Option<vc_graph::Pose> {
-        Some(convert::isometry(self.bodies.get(body)?.position()))
+        let body = self.bodies.get(body)?;
+        Some(convert::isometry(&if body.is_sleeping() { resting_pose(body.position()) } else { *body.position() }))
     }
 }
 

@@ -73,8 +73,8 @@ impl RestRecord {
 impl PhysicsWorld {
     /// Records this world, which is at rest, as what differs from the world `start`, from which it has come by steps and
     /// calls, and builds it anew from the record: from then on it evolves as every other world that is built from it.
-    /// Rotations may change by some units in the last place, once; nothing else moves. Things that would not stay when they
-    /// are built anew, one in thousands, are [pinned](Self::pin).
+    /// Nothing moves by that: a thing that sleeps [has](Self::pose) the pose in which it is built anew, by some units in the last place
+    /// beside the engine's. Things that would not stay, one in thousands, are [pinned](Self::pin).
     ///
     /// Costs a clone of `start`, about as much as an insertion for each thing that differs, and some steps of what these
     /// touch.
