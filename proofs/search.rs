@@ -21,6 +21,8 @@ use virtualcity::{Environment, EnvironmentState, legal_action};
 /// Copies of which the mean memory is taken, and restored homes, which take less.
 const COPIES: usize = 100;
 const RESTORED: usize = 2000;
+/// The states after each of which progress is shown.
+const PROGRESS: usize = 5000;
 
 /// A figure of the process's memory, bytes: `VmRSS` or `VmHWM`.
 fn memory(figure: &str) -> f64 {
@@ -101,7 +103,12 @@ fn search(home: &mut Environment, me: NodeId, most: usize) -> Search {
                 found.failed += 1;
             } else if seen.insert(child.graph().digest()) {
                 match found.saved.on(|| child.save_state()) {
-                    Ok(state) => found.states.push(state),
+                    Ok(state) => {
+                        found.states.push(state);
+                        if found.states.len().is_multiple_of(PROGRESS) {
+                            eprintln!("{} states of {most}, peak {:.0} MB", found.states.len(), memory("VmHWM") / 1e6);
+                        }
+                    }
                     Err(why) => {
                         found.refused += 1;
                         eprintln!("{}: {why}", action.describe(parent.graph()));
