@@ -8,6 +8,7 @@
 mod advance;
 mod change;
 mod class;
+mod crowd;
 mod depart;
 mod drive;
 mod fleet;
@@ -20,6 +21,7 @@ mod traffic;
 mod trip;
 
 pub use class::{ClassError, VehicleClass};
+pub use crowd::{Crowd, Walker, Way};
 pub use pose::Pose;
 pub use traffic::{Traffic, TrafficError, TrafficOptions};
-pub use trip::{Kerb, TrafficEvent, Trip, VehicleId, Waiting};
+pub use trip::{Kerb, PersonId, TrafficEvent, Trip, VehicleId, Waiting};

@@ -14,6 +14,17 @@ impl std::fmt::Display for VehicleId {
     }
 }
 
+/// The number of somebody on foot: that of their walk in the list that was given.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+#[serde(transparent)]
+pub struct PersonId(pub u32);
+
+impl std::fmt::Display for PersonId {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "person {}", self.0)
+    }
+}
+
 /// A place beside a road, on the side of one direction.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Kerb {

@@ -2,5 +2,7 @@
 
 #![allow(clippy::unwrap_used, missing_docs, reason = "a test that cannot go on fails")]
 
+mod crowd;
 mod grid;
+mod people;
 mod rules;
