@@ -1,5 +1,6 @@
 //! Costs of traffic: steps of a tenth of a second on a grid of 30 by 30 junctions with lights, 200 m apart, two lanes in each
-//! direction, with some 1,000 and some 10,000 vehicles on the road.
+//! direction, with some 1,000 and some 10,000 vehicles on the road; and people on foot: 10,000 on ways, and some on a grid of 10 by 10
+//! junctions with pavements, crossings and houses.
 //!
 //! All set out within the first part of the run; times are those of the steps after it, with a core to itself if the machine has
 //! one. `cargo bench -p vc-traffic --bench traffic`
@@ -9,12 +10,13 @@
 #[path = "../tests/traffic/grid.rs"]
 mod grid;
 
+use std::sync::Arc;
 use std::time::Instant;
 
 use vc_graph::Seed;
-use vc_map::{Control, DrivingSide};
+use vc_map::{Control, DrivingSide, Polyline};
 use vc_testkit::page::{Page, time};
-use vc_traffic::{Traffic, TrafficOptions};
+use vc_traffic::{Crowd, PersonId, Traffic, TrafficOptions, Walker, Way};
 
 /// Steps in which vehicles set out, and those that are timed.
 const BEFORE: usize = 2100;
@@ -46,5 +48,54 @@ fn main() {
     }
     let mut page = Page::new("traffic");
     page.table(&["vehicles", "a step", "vehicle steps a second", "of real time", "stand still"], &rows);
+    let mut rows: Vec<_> = [0.15, 0.5, 1.0, 2.0].map(crowd).into();
+    rows.push(town());
+    page.table(&["people", "a step", "for each", "of real time"], &rows);
     page.finish();
+}
+
+/// Steps of people that are timed, and those before.
+const WALKED: usize = 100;
+
+fn row(name: String, people: usize, seconds: f64) -> Vec<String> {
+    let step = seconds / WALKED as f64;
+    vec![name, time(step), time(step / people as f64), format!("{:.0} times", 0.1 / step)]
+}
+
+/// Ten thousand people of a density, half of them each way, on twenty paths of 4 m.
+fn crowd(density: f32) -> Vec<String> {
+    const PEOPLE: u32 = 10_000;
+    let length = PEOPLE as f32 / density / 80.0;
+    let mut crowd = Crowd::new(0.1);
+    let mut numbers = Seed(7).stream();
+    let ways: Vec<Arc<Way>> = (0..20)
+        .flat_map(|path| {
+            let y = f64::from(path) * 10.0;
+            let line = Polyline::new([[0.0, y], [f64::from(length) + 60.0, y]]).unwrap();
+            [line.clone(), line.reversed()].map(|line| Arc::new(Way::new([(line, 4.0)]).unwrap()))
+        })
+        .collect();
+    let mut id = 0;
+    while id < PEOPLE {
+        let way = ways[numbers.below(ways.len())].clone();
+        let (station, left) = (30.0 + numbers.between(0.0, length), numbers.between(-1.8, 1.8));
+        let speed = numbers.normal(1.34, 0.26).clamp(0.6, 2.0);
+        id += u32::from(crowd.add(Walker::new(PersonId(id), way, station, left, speed)));
+    }
+    (0..50).for_each(|_| crowd.step());
+    let begun = Instant::now();
+    (0..WALKED).for_each(|_| crowd.step());
+    row(format!("10,000, {density} a square metre"), PEOPLE as usize, begun.elapsed().as_secs_f64())
+}
+
+/// People on a map, without vehicles.
+fn town() -> Vec<String> {
+    let map = grid::town(10, 1, Control::Signals, DrivingSide::Right);
+    let traffic = Traffic::new(&map, Vec::new(), &TrafficOptions::default(), Seed(1)).unwrap();
+    let mut traffic = traffic.with_walks(grid::walks(&map, 10_000, 120.0, Seed(7))).unwrap();
+    (0..1300).for_each(|_| traffic.step());
+    let people = traffic.people().count();
+    let begun = Instant::now();
+    (0..WALKED).for_each(|_| traffic.step());
+    row(format!("{people} on a map"), people, begun.elapsed().as_secs_f64())
 }

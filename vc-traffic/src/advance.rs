@@ -109,12 +109,14 @@ impl Traffic {
         if network.is_lane(link) {
             let next = self.fleet.next[i];
             if next == NONE || !(network.free[network.movement(next)] || self.fleet.go[i] != Go::No) {
+                self.fleet.way[i] -= self.fleet.s[i] - (length - 0.01);
                 (self.fleet.s[i], self.fleet.v[i]) = (length - 0.01, 0.0);
                 return false;
             }
             self.stop_leaving(slot);
             self.roads.queue[link as usize].pop_front();
             self.roads.last[link as usize] = slot;
+            self.roads.leaves(&network, &self.fleet, link, slot);
             if network.free[network.movement(next)] {
                 self.roads.take(&network, next);
             }
@@ -129,11 +131,12 @@ impl Traffic {
             self.roads.promised[to as usize] -= self.room(slot);
         }
         self.fleet.behind[i] = link;
+        self.roads.leaves(&network, &self.fleet, link, slot);
         self.fleet.go[i] = Go::No;
         self.fleet.leg[i] += 1;
         self.fleet.s[i] -= length;
         let left = self.drivers[self.fleet.class[i] as usize].length - self.fleet.s[i];
-        self.roads.covers.push((slot, link, self.fleet.way[i] + left));
+        self.roads.covers.push((slot, link, self.fleet.way[i] + left + network.clear[movement]));
         self.roads.enter(&mut self.fleet, to, slot);
         let users = self.classes[self.fleet.class[i] as usize].users;
         self.fleet.next[i] = self.choose(to, &self.routes[i], self.fleet.leg[i] as usize, users);

@@ -52,8 +52,11 @@ impl Traffic {
             .copied()
             .filter(|lane| network.users[*lane as usize].has(class.users))
             .collect();
-        let place = |lane: u32| (trip.from.station.max(class.length + 0.2)).min(network.length[lane as usize] - GAP);
-        let fits = |lane: &u32| place(*lane) >= class.length;
+        // Nobody begins on a crossing.
+        let rear = |lane: u32| network.begin[lane as usize];
+        let last = |lane: u32| (network.length[lane as usize] - GAP).min(network.stop[lane as usize]);
+        let place = |lane: u32| trip.from.station.max(rear(lane) + class.length + 0.2).min(last(lane));
+        let fits = |lane: &u32| place(*lane) >= class.length + rear(*lane);
         let Some(first) = open.iter().copied().find(fits) else {
             self.events.push(TrafficEvent::NoWay { vehicle });
             return true;

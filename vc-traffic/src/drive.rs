@@ -11,8 +11,7 @@ const LINKS: usize = 8;
 pub(crate) const PARTS: f32 = 5.0;
 /// Vehicles begin to slow down for a turn when that takes this deceleration, metres per second squared.
 const FOR_TURN: f32 = 1.05;
-/// One stops this far before a line, and looks this much further than it has to, metres.
-const BEFORE_LINE: f32 = 1.0;
+/// One looks this much further than it has to, metres.
 const FURTHER: f32 = 10.0;
 /// Those who have to change lanes stop so far before the line, metres; those who let them in brake at most so hard, metres per second squared.
 const TO_CHANGE: f32 = 15.0;
@@ -115,7 +114,7 @@ impl Traffic {
                 return held;
             }
             let next = if first { self.fleet.next[i] } else { self.choose(lane, route, leg, users) };
-            let line = away - (network.length[lane as usize] - network.stop[lane as usize]);
+            let line = away - (network.length[lane as usize] - network.halt[lane as usize]);
             let aside = first && self.fleet.aside[i].abs() > crate::change::BESIDE;
             let goes = next != NONE
                 && !aside
@@ -126,7 +125,7 @@ impl Traffic {
             if !goes {
                 // One that has to change lanes keeps room to do so.
                 let line = if first && next == NONE && line > TO_CHANGE { line - TO_CHANGE } else { line };
-                return held.max(driver.behind(v, line.max(0.0) + driver.standing_gap - BEFORE_LINE, v));
+                return held.max(driver.behind(v, line.max(0.0) + driver.standing_gap, v));
             }
             let movement = network.movement(next);
             if first && self.fleet.go[i] == Go::Inside {

@@ -1,18 +1,21 @@
-//! Vehicles on a map of streets, for VirtualCity: car following, lane changes, right of way, lights.
+//! Vehicles and people on foot on a map of streets, for VirtualCity: car following, lane changes, right of way, lights, crossings.
 //!
 //! [`Traffic`] moves vehicles on a [`StreetMap`](vc_map::StreetMap) from where their trips begin to where these end, a tenth of a
 //! second at a time: they follow each other by the intelligent driver model, change lanes by MOBIL, stop at red lights, give way, keep
-//! junctions free, and go over junctions, which have length. Bodies never overlap; [`Traffic::overlaps`] checks that. Nothing is
-//! random but the drivers' wishes, by seed.
+//! junctions free, and go over junctions, which have length. Bodies never overlap; [`Traffic::overlaps`] checks that. People walk from
+//! door to door ([`Traffic::with_walks`]), avoid each other ([`Crowd`]), and cross where they and vehicles leave the way to each other.
+//! Nothing is random but the wishes of drivers and people, by seed.
 
 mod advance;
 mod change;
 mod class;
+mod crossing;
 mod crowd;
 mod depart;
 mod drive;
 mod fleet;
 mod follow;
+mod foot;
 mod network;
 mod pose;
 mod right_of_way;
@@ -24,4 +27,4 @@ pub use class::{ClassError, VehicleClass};
 pub use crowd::{Crowd, Walker, Way};
 pub use pose::Pose;
 pub use traffic::{Traffic, TrafficError, TrafficOptions};
-pub use trip::{Kerb, PersonId, TrafficEvent, Trip, VehicleId, Waiting};
+pub use trip::{Kerb, PersonId, TrafficEvent, Trip, VehicleId, Waiting, Walk};

@@ -3,6 +3,8 @@
 use vc_graph::portable::Portable;
 use vc_map::{Control, Light, Movement, Polyline, StreetMap, Users};
 
+use crate::crossing::{self, Crosswalk};
+
 /// No link, no vehicle.
 pub(crate) const NONE: u32 = u32::MAX;
 /// The sideways acceleration at which vehicles go through turns, metres per second squared, and the slowest that they do.
@@ -13,6 +15,12 @@ const NEAR: f64 = 2.6;
 /// Vehicles that wait within a junction stand so far before the first way that it gives way to, and so far into the junction at least, metres.
 const BEFORE: f64 = 1.5;
 const INSIDE: f64 = 3.0;
+/// One stops this far before a line, but this far on its lane, metres.
+const BEFORE_LINE: f64 = 1.0;
+const ON_LANE: f64 = 0.3;
+/// Those who stand at a line are so far from the ways of others, metres, which are looked at so far back.
+const APART: f64 = 2.2;
+const BACK: f64 = 12.0;
 /// Ways over a junction are compared at points so far apart, metres.
 const STEP: f64 = 0.5;
 
@@ -25,8 +33,9 @@ pub(crate) struct Network {
     pub(crate) length: Vec<f32>,
     pub(crate) limit: Vec<f32>,
     pub(crate) users: Vec<Users>,
-    /// For each lane: where vehicles stop, its side of its road, its neighbours, and the movements at its end.
+    /// For each lane: its line, where vehicles come to a stop before that, its side of its road, its neighbours, and the movements at its end.
     pub(crate) stop: Vec<f32>,
+    pub(crate) halt: Vec<f32>,
     pub(crate) side: Vec<u32>,
     pub(crate) inner: Vec<u32>,
     pub(crate) outer: Vec<u32>,
@@ -44,6 +53,11 @@ pub(crate) struct Network {
     pub(crate) hold: Vec<f32>,
     /// For each movement: the rows that it meets beyond that place.
     pub(crate) beyond: Vec<Vec<bool>>,
+    /// For each movement: how far beyond it a rear is clear of crossings, metres; and for each lane the most of those that lead to it.
+    pub(crate) clear: Vec<f32>,
+    pub(crate) begin: Vec<f32>,
+    /// The crossings.
+    pub(crate) crosswalks: Vec<Crosswalk>,
     /// For each lane: the movements that lead to it.
     pub(crate) before: Vec<Vec<u32>>,
     /// For each junction: the links of its movements by row, and the lanes from which one asks to go.
@@ -81,6 +95,10 @@ impl Network {
             limit: all().map(|lane| lane.limit).chain(moves().map(|m| speed(map, m))).map(|v| v as f32).collect(),
             users: all().map(|lane| lane.users).chain(moves().map(|m| m.users)).collect(),
             stop: all().map(|lane| lane.stop_line.unwrap_or(lane.line.length()) as f32).collect(),
+            halt: all()
+                .map(|lane| (lane.line.length(), lane.stop_line))
+                .map(|(all, line)| halt(line.unwrap_or(all), all))
+                .collect(),
             side: all().map(side).collect(),
             inner: all().map(|lane| number(lane.inner)).collect(),
             outer: all().map(|lane| number(lane.outer)).collect(),
@@ -93,6 +111,9 @@ impl Network {
             free: vec![false; map.movements().len()],
             hold: vec![0.0; map.movements().len()],
             beyond: vec![Vec::new(); map.movements().len()],
+            clear: vec![0.0; map.movements().len()],
+            begin: vec![0.0; lanes],
+            crosswalks: crossing::crosswalks(map),
             before: all().map(|lane| lane.before.iter().map(|id| lanes as u32 + id.0).collect()).collect(),
             ways_in: vec![Vec::new(); rows.len()],
             rows,
@@ -100,17 +121,47 @@ impl Network {
         };
         for junction in 0..map.junctions().len() {
             network.junction(junction);
+            network.keep_back(junction);
         }
         network
+    }
+
+    /// Moves the lines of lanes back to where those who stand there are beside the ways of others: streets that meet at a sharp angle, lanes that
+    /// become one.
+    fn keep_back(&mut self, number: usize) {
+        let map = self.map.clone();
+        let junction = &map.junctions()[number];
+        let lane = |id: vc_map::MovementId| map.movement(id).and_then(|movement| map.lane(movement.from));
+        for (row, id) in junction.movements.iter().enumerate() {
+            let Some(own) = lane(*id) else { continue };
+            let from = self.from[id.index()] as usize;
+            let length = own.line.length();
+            let others = junction.movements.iter().enumerate().filter(|(other, _)| junction.conflicts.has(row, *other));
+            let mut ways: Vec<Polyline> = Vec::new();
+            for other in others.filter_map(|(_, id)| map.movement(*id)) {
+                let theirs = map.lane(other.from).filter(|lane| side(lane) != side(own)).map(|lane| &lane.line);
+                ways.extend(theirs.and_then(|line| line.part(line.length() - BACK, line.length())));
+                ways.push(other.line.clone());
+            }
+            let near = |station: &f64| ways.iter().any(|way| way.project(&own.line.at(*station)).left.abs() < APART);
+            let steps = (0..=(BACK / STEP) as u32).map(|step| length - f64::from(step) * STEP);
+            let Some(last) = steps.take_while(|station| *station > 0.0).filter(near).last() else { continue };
+            let stop = self.stop[from].min((last - STEP) as f32).max(0.0);
+            self.stop[from] = stop;
+            self.halt[from] = self.halt[from].min(halt(f64::from(stop), length));
+        }
     }
 
     /// Sets what a junction decides of its movements.
     fn junction(&mut self, number: usize) {
         let map = self.map.clone();
         let junction = &map.junctions()[number];
-        let count = junction.movements.len();
         for (row, id) in junction.movements.iter().enumerate() {
-            let met: Vec<usize> = (0..count).filter(|other| junction.conflicts.has(row, *other)).collect();
+            let met: Vec<usize> =
+                (0..junction.conflicts.size()).filter(|other| junction.conflicts.has(row, *other)).collect();
+            let clear = crossing::clear(&map, vc_map::JunctionId(number as u32), row);
+            let begin = &mut self.begin[self.to[id.index()] as usize];
+            (self.clear[id.index()], *begin) = (clear, begin.max(clear));
             let from = map.movement(*id).map_or(0, |movement| movement.from.index());
             if junction.draft.control == Control::AllWayStop {
                 self.stops[from] = true;
@@ -141,10 +192,17 @@ impl Network {
         let before = met.iter().filter(|other| yields(other)).filter_map(first).reduce(f64::min);
         let Some(hold) = before.map(|station| station - BEFORE).filter(|hold| *hold >= INSIDE) else { return };
         let movement = junction.movements[row].index();
+        let lane = vc_map::LaneId(self.from[movement]);
+        let crossing = |other: usize| {
+            junction.crossings.get(other.checked_sub(junction.movements.len())?).and_then(|id| map.crossing(*id))
+        };
+        let beyond = |other: usize| match crossing(other) {
+            Some(crossing) => !crossing::is_before(&map, crossing, lane, own, hold + BEFORE / 2.0),
+            None => first(&other).is_none_or(|station| station > hold + BEFORE / 2.0),
+        };
         self.hold[movement] = hold as f32;
-        self.beyond[movement] = (0..junction.movements.len())
-            .map(|other| met.contains(&other) && first(&other).is_none_or(|station| station > hold + BEFORE / 2.0))
-            .collect();
+        self.beyond[movement] =
+            (0..junction.conflicts.size()).map(|other| met.contains(&other) && beyond(other)).collect();
     }
 
     /// Whether a link is a lane.
@@ -176,6 +234,11 @@ impl Network {
         };
         self.next[lane as usize].iter().find(fits).copied()
     }
+}
+
+/// Where vehicles come to a stop before the line of a lane: on it, where it is short.
+fn halt(line: f64, length: f64) -> f32 {
+    (line - BEFORE_LINE).max(ON_LANE.min(length / 2.0)) as f32
 }
 
 /// The number of a lane's side of its road.

@@ -15,6 +15,10 @@ const AT_YELLOW: f32 = 3.0;
 /// One that has waited this long is let go first, and one that has waited that long at equal rights goes, seconds.
 const PATIENCE: f32 = 60.0;
 const EQUAL: f32 = 4.0;
+/// One that has yielded to people for so long goes before the next of them, seconds. One that may go yields to them if it stops within
+/// the way for comfort, and this time to react, seconds.
+const YIELDS: f32 = 30.0;
+const REACTS: f32 = 0.5;
 /// A vehicle that goes at this speed behind a junction makes room, metres per second, for so many seconds.
 const MOVING: f32 = 3.0;
 const MAKES_ROOM: f32 = 2.5;
@@ -50,6 +54,7 @@ impl Traffic {
     /// Decides for each junction who may go. Junctions do not depend on each other.
     pub(crate) fn right_of_way(&mut self) {
         let network = self.network.clone();
+        self.foot.late.fill(false);
         let mut asking = Vec::new();
         for junction in 0..network.rows.len() {
             if network.ways_in[junction].is_empty() {
@@ -126,7 +131,11 @@ impl Traffic {
         let away = network.stop[lane as usize] - self.fleet.s[i];
         let stops = matches!(light, Some(Light::Red | Light::Yellow)) && away > v * v / (2.0 * AT_YELLOW);
         if self.fleet.go[i] != Go::No {
-            if stops && away > 0.0 {
+            let row = network.row[movement] as usize;
+            let driver = &self.drivers[self.fleet.class[i] as usize];
+            let can_yield = away > driver.stopping(v) + v * REACTS;
+            let yields = can_yield && self.is_claimed(network.junction[movement] as usize, row);
+            if (stops || yields) && away > 0.0 {
                 self.refuse(slot);
             }
             return None;
@@ -193,6 +202,11 @@ impl Traffic {
         if !lit && self.gives_way(junction, asking, position) {
             return false;
         }
+        if one.stood > YIELDS {
+            self.keep_clear(junction, one.row);
+        } else if self.is_claimed(junction, one.row) {
+            return false;
+        }
         let go = if self.is_clear(junction, one.row, one.link) {
             self.roads.take(&network, one.link);
             Go::Over
@@ -227,7 +241,7 @@ impl Traffic {
     }
 
     /// Whether nobody is in the way of a movement.
-    fn is_clear(&self, junction: usize, row: usize, link: u32) -> bool {
+    pub(crate) fn is_clear(&self, junction: usize, row: usize, link: u32) -> bool {
         let network = &self.network;
         let table = &network.map.junctions()[junction].conflicts;
         if !table.free(row, &self.roads.busy[junction]) {
@@ -258,11 +272,12 @@ impl Traffic {
             return false;
         }
         let table = &network.map.junctions()[junction].conflicts;
-        network.rows[junction].iter().enumerate().all(|(other, theirs)| {
-            let theirs = network.movement(*theirs);
-            let there = self.roads.taken[theirs] > 0 || self.roads.waiting[theirs] > 0;
-            !there || !table.has(one.row, other) || network.beyond[movement].get(other).copied().unwrap_or(false)
-        })
+        let there = |row: usize| {
+            let waits = |link: &u32| self.roads.waiting[network.movement(*link)] > 0;
+            self.roads.is_busy(junction, row) || network.rows[junction].get(row).is_some_and(waits)
+        };
+        let beyond = |row: usize| network.beyond[movement].get(row).copied().unwrap_or(false);
+        (0..table.size()).all(|row| !table.has(one.row, row) || beyond(row) || !there(row))
     }
 
     /// The room that a vehicle takes behind a junction, centimetres.
@@ -277,6 +292,8 @@ impl Traffic {
         let to = network.to[movement];
         let [needs, promised] = [self.room(slot), self.roads.promised[to as usize]].map(|room| room as f32 / 100.0);
         let length = network.length[to as usize];
+        // Where there is room for that nobody stands on a crossing.
+        let needs = needs + if length > needs + network.clear[movement] { network.clear[movement] } else { 0.0 };
         let tail = self.roads.tail(network, &self.fleet, &self.drivers, to);
         let Some((rear, speed)) = tail else { return promised == 0.0 || length - promised >= needs };
         let moves = if speed > MOVING { speed * MAKES_ROOM } else { 0.0 };

@@ -4,7 +4,7 @@ use std::collections::VecDeque;
 
 use crate::fleet::Fleet;
 use crate::follow::Driver;
-use crate::network::Network;
+use crate::network::{NONE, Network};
 
 /// The end of a queue: the station of its last rear, metres, and its speed.
 pub(crate) type Tail = (f32, f32);
@@ -21,10 +21,12 @@ pub(crate) struct Roads {
     /// For each lane: the last who went over the junction, and the room that is promised to those on their way to it, centimetres.
     pub(crate) last: Vec<u32>,
     pub(crate) promised: Vec<u32>,
+    /// For each link: the last who left it at its end, with their trip and their way then, metres.
+    pub(crate) left: Vec<(u32, u32, f32)>,
     /// For each movement: the number of those who may go or whose body is on it, and of those who wait on it.
     pub(crate) taken: Vec<u16>,
     pub(crate) waiting: Vec<u16>,
-    /// For each junction: the rows that are taken, as bits, and the number of those who wait within it.
+    /// For each junction: the rows of movements and crossings that are taken, as bits, and the number of those who wait within it.
     pub(crate) busy: Vec<Vec<u64>>,
     pub(crate) inside: Vec<u16>,
     /// Those whose rear still covers a movement that their front has left: the movement, and the way after which it does not, metres.
@@ -38,11 +40,12 @@ impl Roads {
             queue: vec![VecDeque::new(); links],
             used: vec![0; links.div_ceil(64)],
             leaving: vec![Vec::new(); lanes],
-            last: vec![crate::network::NONE; lanes],
+            last: vec![NONE; lanes],
             promised: vec![0; lanes],
+            left: vec![(0, NONE, 0.0); links],
             taken: vec![0; links - lanes],
             waiting: vec![0; links - lanes],
-            busy: network.rows.iter().map(|rows| vec![0; rows.len().div_ceil(64)]).collect(),
+            busy: network.map.junctions().iter().map(|of| vec![0; of.conflicts.size().div_ceil(64)]).collect(),
             inside: vec![0; network.rows.len()],
             covers: Vec::new(),
         }
@@ -94,17 +97,32 @@ impl Roads {
     }
 
     fn mark(&mut self, network: &Network, movement: usize, on: bool) {
-        let (junction, row) = (network.junction[movement] as usize, network.row[movement]);
+        self.cross(network.junction[movement] as usize, network.row[movement], on);
+    }
+
+    /// Notes whether somebody is on a movement, or on a crossing.
+    pub(crate) fn cross(&mut self, junction: usize, row: u32, on: bool) {
         let word = &mut self.busy[junction][row as usize / 64];
         let bit = 1 << (row % 64);
         *word = if on { *word | bit } else { *word & !bit };
     }
 
-    /// The last rear on a link, with those who are leaving it sideways.
+    /// Whether somebody is on a movement or a crossing of a junction.
+    pub(crate) fn is_busy(&self, junction: usize, row: usize) -> bool {
+        self.busy[junction][row / 64] >> (row % 64) & 1 == 1
+    }
+
+    /// The last rear on a link, be its front further on, with those who are leaving it sideways.
     pub(crate) fn tail(&self, network: &Network, fleet: &Fleet, drivers: &[Driver], link: u32) -> Option<Tail> {
         let length = |i: usize| drivers[fleet.class[i] as usize].length;
         let last = self.queue[link as usize].back().map(|slot| *slot as usize);
         let last = last.map(|i| (fleet.s[i] - length(i), fleet.v[i]));
+        let last = last.or_else(|| {
+            let (slot, trip, way) = self.left[link as usize];
+            let i = Some(slot as usize).filter(|i| trip != NONE && fleet.trip[*i] == trip)?;
+            let beyond = fleet.way[i] - way - length(i);
+            (beyond < 0.0).then(|| (network.length[link as usize] + beyond, fleet.v[i]))
+        });
         let Some(leaving) = self.leaving.get(link as usize).filter(|leaving| !leaving.is_empty()) else { return last };
         let aside = leaving.iter().map(|slot| {
             let i = *slot as usize;
@@ -124,6 +142,13 @@ impl Roads {
         let position = self.position(fleet, link, fleet.s[slot as usize]);
         self.used[link as usize / 64] |= 1 << (link % 64);
         self.queue[link as usize].insert(position, slot);
+    }
+
+    /// Notes that somebody, so far along, leaves a link at its end.
+    pub(crate) fn leaves(&mut self, network: &Network, fleet: &Fleet, link: u32, slot: u32) {
+        let i = slot as usize;
+        let way = fleet.way[i] - (fleet.s[i] - network.length[link as usize]);
+        self.left[link as usize] = (slot, fleet.trip[i], way);
     }
 
     /// Takes somebody out of the queue of a link.

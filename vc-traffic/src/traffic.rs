@@ -9,11 +9,13 @@ use vc_graph::{Digest, Seed};
 use vc_map::route::{Mode, Router};
 use vc_map::{Light, StreetMap};
 
+use crate::crowd::Walker;
 use crate::fleet::Fleet;
 use crate::follow::Driver;
+use crate::foot::Foot;
 use crate::network::{NONE, Network};
 use crate::roads::Roads;
-use crate::trip::{TrafficEvent, Trip, VehicleId, Waiting};
+use crate::trip::{PersonId, TrafficEvent, Trip, VehicleId, Waiting, Walk};
 use crate::{Pose, VehicleClass};
 
 /// Settings of traffic.
@@ -46,6 +48,14 @@ pub enum TrafficError {
     Trip {
         /// The vehicle.
         vehicle: VehicleId,
+        /// The reason.
+        reason: String,
+    },
+    /// A walk names a door or a time that there is not.
+    #[error("{person}: {reason}")]
+    Walk {
+        /// The person.
+        person: PersonId,
         /// The reason.
         reason: String,
     },
@@ -103,6 +113,7 @@ pub struct Traffic {
     pub(crate) events: Vec<TrafficEvent>,
     /// The slot of each vehicle on the road.
     pub(crate) slots: BTreeMap<VehicleId, u32>,
+    pub(crate) foot: Foot,
 }
 
 impl Traffic {
@@ -144,18 +155,44 @@ impl Traffic {
             wanting: Vec::new(),
             events: Vec::new(),
             slots: BTreeMap::new(),
+            foot: Foot::none(map, options.step),
         })
+    }
+
+    /// The same with people who walk from door to door: on pavements and paths, over crossings in their green or where vehicles leave it to
+    /// them, and never on the carriageway. Costs a router, and a look at each edge of the walkable network.
+    ///
+    /// # Errors
+    /// [`TrafficError::Walk`]: doors that the map does not have, a time that is none.
+    pub fn with_walks(mut self, walks: Vec<Walk>) -> Result<Self, TrafficError> {
+        let doors = self.map().entrances().len();
+        for (number, walk) in walks.iter().enumerate() {
+            let missing = [walk.from, walk.to].into_iter().find(|door| door.index() >= doors);
+            let reason = match missing {
+                Some(door) => format!("{door} of {doors}"),
+                None if !(0.0..=1e7).contains(&walk.departs) => {
+                    format!("departs at {} s: give a time from 0 on", walk.departs)
+                }
+                None => continue,
+            };
+            return Err(TrafficError::Walk { person: PersonId(number as u32), reason });
+        }
+        let map = self.map().clone();
+        self.foot.set(&map, walks);
+        Ok(self)
     }
 
     /// One step: who may go, speeds, ways, lanes, departures. Costs some 0.1 to 0.2 microseconds for each vehicle.
     pub fn step(&mut self) {
         self.events.clear();
         self.signals();
+        self.cross();
         self.right_of_way();
         self.accelerate();
         self.advance();
         self.change_lanes();
         self.depart();
+        self.walk();
         self.step += 1;
     }
 
@@ -199,6 +236,16 @@ impl Traffic {
         self.slots.get(&id).map(|slot| self.pose(*slot))
     }
 
+    /// The people on foot who are on their way, by their numbers. Costs a look at each.
+    pub fn people(&self) -> impl Iterator<Item = Walker> {
+        self.foot.crowd.people()
+    }
+
+    /// The number of walks that have not begun: those that wait for room at their door, and those whose time has not come.
+    pub fn waiting_on_foot(&self) -> usize {
+        self.foot.waiting()
+    }
+
     /// A number of everything that decides on what follows: equal for equal states.
     pub fn digest(&self) -> Digest {
         let mut hasher = Digester::new();
@@ -209,6 +256,7 @@ impl Traffic {
             hasher.reals([self.fleet.s[i], self.fleet.v[i], self.fleet.aside[i], self.fleet.stood[i]]);
         }
         hasher.words(self.pending.values().flatten().map(|trip| u64::from(*trip)));
+        hasher.words(self.foot.words());
         hasher.digest()
     }
 
@@ -230,10 +278,14 @@ impl Traffic {
 
     /// The light for a movement; `None` at junctions without lights.
     pub(crate) fn light(&self, movement: usize) -> Option<Light> {
-        let junction = &self.network.map.junctions()[self.network.junction[movement] as usize];
-        let id = junction.signal?;
+        self.light_of(self.network.junction[movement] as usize, self.network.row[movement] as usize)
+    }
+
+    /// The light for a row of a junction's table.
+    pub(crate) fn light_of(&self, junction: usize, row: usize) -> Option<Light> {
+        let id = self.network.map.junctions()[junction].signal?;
         let phase = self.network.map.signal(id)?.phases.get(*self.phases.get(id.index())?)?;
-        phase.lights.get(self.network.row[movement] as usize).copied()
+        phase.lights.get(row).copied()
     }
 
     /// The reason for which a vehicle stands.

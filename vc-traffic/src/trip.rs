@@ -1,7 +1,7 @@
 //! Journeys, and what happens to those who make them.
 
 use serde::{Deserialize, Serialize};
-use vc_map::RoadId;
+use vc_map::{EntranceId, RoadId};
 
 /// The number of a vehicle: that of its trip in the list that was given.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
@@ -49,6 +49,17 @@ pub struct Trip {
     pub to: Kerb,
 }
 
+/// A walk from door to door.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Walk {
+    /// When it begins, seconds.
+    pub departs: f32,
+    /// Where it begins.
+    pub from: EntranceId,
+    /// Where it ends.
+    pub to: EntranceId,
+}
+
 /// Something that happened in a step.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
@@ -71,6 +82,25 @@ pub enum TrafficEvent {
     NoWay {
         /// The vehicle.
         vehicle: VehicleId,
+    },
+    /// Somebody on foot has left their door.
+    SetOff {
+        /// The person.
+        person: PersonId,
+    },
+    /// Somebody on foot has reached the door.
+    Reached {
+        /// The person.
+        person: PersonId,
+        /// The time since they set off, seconds.
+        seconds: f32,
+        /// The length of the way, metres.
+        metres: f32,
+    },
+    /// A walk cannot be made: every way, or the fastest, leads along a carriageway.
+    NoWalk {
+        /// The person.
+        person: PersonId,
     },
     /// A vehicle that did not get into the lane of its way goes another one.
     Rerouted {

@@ -48,6 +48,8 @@ const ASIDE: f32 = 0.3;
 const SLOWER: f32 = 0.1;
 /// A way with a smaller sine between two pieces goes straight on.
 const STRAIGHT: f32 = 0.01;
+/// The edge of a bend leans back by at most so much for each metre aside.
+const MOST_LEAN: f32 = 2.0;
 
 /// Somebody on foot with all that decides how they go on: what [`Crowd::add`] takes and [`Crowd::remove`] gives back.
 #[derive(Debug, Clone)]
@@ -64,6 +66,8 @@ pub struct Walker {
     pub speed: f32,
     /// The station of the way before which one waits, metres; infinity to wait nowhere.
     pub stop: f32,
+    /// The station of the way behind which one does not let oneself be pushed back, metres.
+    pub back: f32,
     piece: u32,
 }
 
@@ -71,7 +75,7 @@ impl Walker {
     /// Somebody who stands at a station of a way, so far to the left of its line in metres, and walks at a speed in metres per second.
     pub fn new(id: PersonId, way: Arc<Way>, station: f32, left: f32, speed: f32) -> Self {
         let (at, piece) = (way.at(station, left), way.piece(station) as u32);
-        Self { id, way, at, velocity: [0.0; 2], speed, stop: f32::INFINITY, piece }
+        Self { id, way, at, velocity: [0.0; 2], speed, stop: f32::INFINITY, back: f32::NEG_INFINITY, piece }
     }
 
     /// How far along the way they are, metres.
@@ -120,6 +124,7 @@ pub struct Crowd {
     velocity: Vec<Vector2<f32>>,
     speed: Vec<f32>,
     stop: Vec<f32>,
+    back: Vec<f32>,
     seen: Vec<Seen>,
 }
 
@@ -138,6 +143,7 @@ impl Crowd {
             velocity: Vec::new(),
             speed: Vec::new(),
             stop: Vec::new(),
+            back: Vec::new(),
             seen: Vec::new(),
         }
     }
@@ -157,7 +163,7 @@ impl Crowd {
         if self.slots.contains_key(&walker.id) || self.slots.values().any(taken) {
             return false;
         }
-        let Walker { id, way, velocity, speed, stop, piece, .. } = walker;
+        let Walker { id, way, velocity, speed, stop, back, piece, .. } = walker;
         let slot = self.free.pop().unwrap_or(self.id.len() as u32);
         let i = slot as usize;
         if i == self.id.len() {
@@ -168,9 +174,11 @@ impl Crowd {
             self.velocity.push(velocity.into());
             self.speed.push(speed);
             self.stop.push(stop);
+            self.back.push(back);
         } else {
             (self.id[i], self.way[i], self.piece[i], self.at[i]) = (id.0, way, piece, at);
-            (self.velocity[i], self.speed[i], self.stop[i]) = (velocity.into(), speed, stop);
+            (self.velocity[i], self.speed[i]) = (velocity.into(), speed);
+            (self.stop[i], self.back[i]) = (stop, back);
         }
         self.slots.insert(id, slot);
         true
@@ -203,11 +211,32 @@ impl Crowd {
         self.slots.is_empty()
     }
 
-    /// Sets the station before which somebody waits, metres; infinity to go on.
-    pub fn hold(&mut self, id: PersonId, stop: f32) {
-        if let Some(slot) = self.slots.get(&id) {
-            self.stop[*slot as usize] = stop;
+    /// Sets the station before which somebody waits, metres, infinity to go on; and their speed with nobody around, metres per second.
+    pub fn lead(&mut self, id: PersonId, stop: f32, speed: f32) {
+        if let Some(slot) = self.slots.get(&id).copied() {
+            self.lead_slot(slot, stop, speed);
         }
+    }
+
+    /// Sets the station behind which somebody is not pushed back, metres.
+    pub(crate) fn keep(&mut self, slot: u32, back: f32) {
+        self.back[slot as usize] = back;
+    }
+
+    pub(crate) fn lead_slot(&mut self, slot: u32, stop: f32, speed: f32) {
+        (self.stop[slot as usize], self.speed[slot as usize]) = (stop, speed);
+    }
+
+    /// The slots of all, in the order of their numbers.
+    pub(crate) fn slots(&self) -> Vec<u32> {
+        self.slots.values().copied().collect()
+    }
+
+    /// How far along their way somebody is, metres.
+    pub(crate) fn station(&self, slot: u32) -> f32 {
+        let i = slot as usize;
+        let piece = &self.way[i].pieces[self.piece[i] as usize];
+        piece.station + piece.place(&self.at[i]).0
     }
 
     fn walker(&self, slot: u32) -> Walker {
@@ -219,6 +248,7 @@ impl Crowd {
             velocity: self.velocity[i].into(),
             speed: self.speed[i],
             stop: self.stop[i],
+            back: self.back[i],
             piece: self.piece[i],
         }
     }
@@ -261,6 +291,7 @@ impl Crowd {
                 self.velocity[i].y,
                 self.speed[i],
                 self.stop[i],
+                self.back[i],
             ]);
         }
         hasher.digest()
@@ -313,6 +344,10 @@ impl Crowd {
         planes.bends(last, piece, next, &own.at, self.dt);
         if stop < 2.0 * most * self.dt + 1.0 {
             planes.hard.push(HalfPlane { normal: -piece.along, least: -stop.max(0.0) / self.dt });
+        }
+        let back = station + piece.station - self.back[i];
+        if back < 2.0 * most * self.dt + 1.0 {
+            planes.hard.push(HalfPlane { normal: piece.along, least: -back.max(0.0) / self.dt });
         }
         for (number, (square, other)) in nearest.all().iter().enumerate() {
             let them = &people[*other as usize];
@@ -423,12 +458,16 @@ impl Planes {
         }
         let rest = piece.length - station;
         let Some(next) = next.filter(|_| rest < near) else { return };
-        edge(next, next.half, piece.along.perp(&next.along));
+        let bend = piece.along.perp(&next.along);
+        edge(next, next.half, bend);
         if next.half < piece.half {
-            for (outward, aside) in [(piece.left(), aside), (-piece.left(), -aside)] {
-                let room = next.half - RADIUS + rest - aside;
-                let slant = std::f32::consts::FRAC_1_SQRT_2;
-                self.wall((outward + piece.along) * slant, room * slant, dt);
+            // The line at which one goes on with the next leans back on the inner side.
+            let lean = (bend / (1.0 + piece.along.dot(&next.along)).max(0.3)).clamp(-MOST_LEAN, MOST_LEAN);
+            for (outward, aside, lean) in [(piece.left(), aside, lean), (-piece.left(), -aside, -lean)] {
+                let slant = outward * (1.0 + lean) + piece.along;
+                let room = next.half - RADIUS + rest - aside * (1.0 + lean);
+                let length = slant.norm();
+                self.wall(slant / length, room / length, dt);
             }
         }
     }

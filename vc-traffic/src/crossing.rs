@@ -1,0 +1,119 @@
+//! Crossings as vehicles and people see them: where the carriageway begins, and how far beyond a junction a vehicle is clear of them.
+
+use vc_map::{JunctionId, LaneId, Point, Polyline, RoadCrossing, StreetMap, WalkEdge, WalkKind};
+use vc_map::{StripKind, Users};
+
+/// Lines are looked at in steps of so many metres.
+const STEP: f64 = 0.25;
+/// Kerbs are found to so many metres, and people wait so far before them.
+pub(crate) const KERB: f32 = 0.05;
+/// The sides of a vehicle are at most so far from the middle of its lane, metres.
+const BESIDE: f64 = 1.4;
+/// A vehicle is clear of a crossing when its rear is so far beyond, metres; further than this from a junction there is none.
+const BEYOND: f64 = 0.5;
+const FAR: f64 = 25.0;
+/// The width of a corner, and of a way to a door, metres.
+const CORNER: f64 = 1.2;
+pub(crate) const TO_DOOR: f32 = 1.2;
+/// Nobody walks where there is less room than this, metres.
+const NARROWEST: f64 = 0.5;
+/// Lanes are looked for within this distance, metres.
+const NEAR: f64 = 8.0;
+
+/// A crossing over a junction's arm.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Crosswalk {
+    pub(crate) junction: u32,
+    /// Its row in the table of the junction.
+    pub(crate) row: u32,
+    /// The stations of its line between which it is on the carriageway, metres.
+    pub(crate) kerbs: [f32; 2],
+}
+
+/// All crossings of a map.
+pub(crate) fn crosswalks(map: &StreetMap) -> Vec<Crosswalk> {
+    let of = |(number, crossing): (usize, &RoadCrossing)| {
+        let own = map.junction(crossing.junction);
+        let place = |junction: &vc_map::Junction| junction.crossings.iter().position(|id| id.index() == number);
+        let row = own.map_or(0, |junction| junction.movements.len() + place(junction).unwrap_or(0));
+        Crosswalk { junction: crossing.junction.0, row: row as u32, kerbs: kerbs(map, crossing) }
+    };
+    map.crossings().iter().enumerate().map(of).collect()
+}
+
+/// Stations along a line, with its end.
+fn stations(length: f64) -> impl Iterator<Item = f64> {
+    stations_by(length, STEP)
+}
+
+fn stations_by(length: f64, metres: f64) -> impl Iterator<Item = f64> {
+    (0..=(length / metres).ceil() as u32).map(move |step| (f64::from(step) * metres).min(length))
+}
+
+fn kerbs(map: &StreetMap, crossing: &RoadCrossing) -> [f32; 2] {
+    let roads: Vec<_> = crossing.roads.iter().filter_map(|id| map.road(*id)).collect();
+    let on =
+        |at: &Point| roads.iter().any(|road| road.line.project(at).left.abs() < road.draft.section.surface() / 2.0);
+    let length = crossing.line.length();
+    let step = f64::from(KERB);
+    let mut over = stations_by(length, step).filter(|station| on(&crossing.line.at(*station)));
+    let first = over.next();
+    let last = over.last().or(first);
+    [(first.unwrap_or(0.0) - step).max(0.0) as f32, (last.unwrap_or(length) + step).min(length) as f32]
+}
+
+/// How far beyond the end of a movement the rear of a vehicle is clear of the crossings that it leads over, metres; 0 without one.
+pub(crate) fn clear(map: &StreetMap, junction: JunctionId, row: usize) -> f32 {
+    let Some(junction) = map.junction(junction) else { return 0.0 };
+    let lane = junction.movements.get(row).and_then(|id| map.movement(*id)).and_then(|movement| map.lane(movement.to));
+    let Some(lane) = lane else { return 0.0 };
+    let rows = junction.crossings.iter().enumerate().map(|(place, id)| (junction.movements.len() + place, *id));
+    let met = rows.filter(|(other, _)| junction.conflicts.has(row, *other)).filter_map(|(_, id)| map.crossing(id));
+    let beyond = |crossing: &RoadCrossing| {
+        let on =
+            |station: &f64| crossing.line.project(&lane.line.at(*station)).left.abs() < crossing.width / 2.0 + BESIDE;
+        stations(lane.line.length().min(FAR)).filter(on).last().map_or(0.0, |station| station + BEYOND)
+    };
+    met.map(beyond).fold(0.0, f64::max) as f32
+}
+
+/// Where people walk on each edge of the walkable network: its width off the carriageway, metres; 0 where there is too little room.
+pub(crate) fn widths(map: &StreetMap) -> Vec<f32> {
+    map.walk_edges().iter().map(|edge| width(map, edge) as f32).collect()
+}
+
+fn width(map: &StreetMap, edge: &WalkEdge) -> f64 {
+    let wide = match edge.kind {
+        WalkKind::Crossing(id) => return map.crossing(id).map_or(0.0, |crossing| crossing.width),
+        WalkKind::Lane(id) => map.lane(id).map_or(0.0, |lane| lane.width),
+        WalkKind::Corner(_) => CORNER,
+        _ => return 0.0,
+    };
+    let layer = match edge.kind {
+        WalkKind::Lane(id) => map.lane(id).and_then(|lane| map.road(lane.road)).map(|road| road.draft.layer),
+        _ => None,
+    };
+    let room =
+        2.0 * stations(edge.line.length()).map(|at| off(map, &edge.line.at(at), layer)).fold(f64::INFINITY, f64::min);
+    if wide.min(room) < NARROWEST { 0.0 } else { wide.min(room) }
+}
+
+/// How far a point is from the lane for vehicles that is nearest to it, metres; negative within.
+fn off(map: &StreetMap, at: &Point, layer: Option<i8>) -> f64 {
+    let Some((id, _)) = map.lane_near(at, Users::TRAFFIC, NEAR) else { return NEAR };
+    let Some(lane) = map.lane(id).filter(|lane| lane.kind == StripKind::Driving) else { return NEAR };
+    let level = map.road(lane.road).map(|road| road.draft.layer);
+    if layer.is_some() && level != layer { NEAR } else { lane.line.project(at).left.abs() - lane.width / 2.0 }
+}
+
+/// Whether a straight way leads over no lane for vehicles.
+pub(crate) fn is_off_the_road(map: &StreetMap, line: &Polyline) -> bool {
+    stations(line.length()).all(|station| off(map, &line.at(station), None) > 0.0)
+}
+
+/// Whether a movement passes a crossing before it waits at a station, or comes from its road.
+pub(crate) fn is_before(map: &StreetMap, crossing: &RoadCrossing, from: LaneId, line: &Polyline, station: f64) -> bool {
+    let own = map.lane(from).is_some_and(|lane| crossing.roads.contains(&lane.road));
+    let on = |at: &Point| crossing.line.project(at).left.abs() < crossing.width / 2.0 + BESIDE;
+    own || stations(station).any(|at| on(&line.at(at)))
+}
