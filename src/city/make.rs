@@ -124,7 +124,7 @@ impl City {
         let straight = |there: &Environment, other: &Point2<f32>| there.leads_straight(&spot, other);
         let arrived = environment.arrive(&newcomer, (region, room), &Pose::identity(), feet, (spot, straight));
         let (spot, _) = arrived.map_err(|why| CityError::of_travel(&space, why))?;
-        environment.place_feet(id, Pose::translation(spot.x, spot.y, feet.translation.z));
+        environment.stand_at(id, Pose::translation(spot.x, spot.y, feet.translation.z));
         self.whereabouts.insert(id, region);
         self.agents.push(id);
         self.homes.insert(id, region);

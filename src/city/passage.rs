@@ -222,14 +222,16 @@ impl City {
         let door = crossing.way.first().filter(|_| crossing.is_beyond && self.lifts.get(crossing.into).is_some());
         let turned =
             door.and_then(|door| way::turned(&at, &way::facing(door.coords.xy() - at.translation.vector.xy())));
-        let is_done = turned.is_none();
-        if let Some(environment) = self.environment_mut(agent) {
-            environment.place_feet(agent, turned.unwrap_or(at));
-        }
-        Ok(match (is_done, crossing.goes_back) {
-            (false, _) => Progress::OnTheWay,
-            (true, false) => Progress::Through,
-            (true, true) => Progress::BackAgain,
+        let environment = self.environment_mut(agent);
+        Ok(match (turned, crossing.goes_back) {
+            (Some(turned), _) => {
+                environment.into_iter().for_each(|there| there.place_feet(agent, turned));
+                Progress::OnTheWay
+            }
+            (None, goes_back) => {
+                environment.into_iter().for_each(|there| there.stand_at(agent, at));
+                if goes_back { Progress::BackAgain } else { Progress::Through }
+            }
         })
     }
 

@@ -170,8 +170,9 @@ impl City {
     }
 
     fn saved(&self, scenes: &BTreeMap<RegionId, SceneGraph>) -> Result<Vec<u8>, CitySaveError> {
-        if !self.endings.is_empty() {
-            return Err(CitySaveError::Unread(self.endings.len()));
+        let unread = self.endings.len() + self.active.values().map(Environment::unread_endings).sum::<usize>();
+        if unread > 0 {
+            return Err(CitySaveError::Unread(unread));
         }
         let mut regions = Vec::new();
         for (region, environment) in &self.active {

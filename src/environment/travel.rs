@@ -222,6 +222,13 @@ impl Environment {
         }
     }
 
+    /// Puts feet where a way between two regions ends, and reads that, as at the end of a walk.
+    pub(crate) fn stand_at(&mut self, agent: NodeId, feet: Pose) {
+        self.place_feet(agent, feet);
+        // If it cannot be told now, it is read when all rests.
+        drop(self.read_moved());
+    }
+
     /// Opens or shuts the leaf of a door that somebody passes, unless it would meet something on its way: things are pushed by
     /// it from now on, people are not, but for some who give way.
     pub(crate) fn swing_leaf(

@@ -17,6 +17,8 @@ const DROP: f32 = 0.05;
 const DEEP: f32 = 0.01;
 /// The largest distance outside every room's box for things in a doorway, metres.
 const DOORSTEP: f32 = 0.3;
+/// What hangs farther than this from every room has strayed, metres.
+const STRAYS: f32 = 5.0;
 
 /// A thing that has moved.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -136,7 +138,7 @@ impl PhysicsWorld {
 
     /// Loose and stopped things that are outside every room, below the lowest floor, or in the ground below a
     /// floor; without rooms, those outside the bounding box of everything fixed. Hanging things are listed only
-    /// if they are below all rooms.
+    /// if they are below all rooms, or more than five metres from each.
     ///
     /// ```
     /// # let home = vc_testkit::kitchen::kitchen();
@@ -160,7 +162,10 @@ impl PhysicsWorld {
         let inside = boxes.is_empty() || boxes.iter().any(|b| b.contains(&centre));
         match thing.state.role {
             BodyRole::Loose | BodyRole::Stopped => !inside || grounds.iter().any(|b| b.contains(&centre)),
-            BodyRole::Hung => !boxes.is_empty() && boxes.iter().all(|b| centre.z < b.min.z),
+            BodyRole::Hung => {
+                let strays = |room: &Aabb| centre.z < room.min.z || !grown(room, STRAYS).contains(&centre);
+                !boxes.is_empty() && boxes.iter().all(strays)
+            }
             BodyRole::Fixed | BodyRole::Carried => false,
         }
     }

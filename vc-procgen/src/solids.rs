@@ -6,13 +6,11 @@ use vc_shapes::Style;
 use vc_shapes::material::MaterialId;
 use vc_shapes::{Build, Object};
 
-use crate::plan::{Rect, metres};
-
 /// Boxes in world coordinates that become one object.
 pub(crate) struct Solids {
     class: &'static str,
     boxes: Vec<(&'static str, [f32; 3], [f32; 3], MaterialId)>,
-    tops: Vec<(&'static str, Rect)>,
+    tops: Vec<(&'static str, (f32, f32), (f32, f32))>,
 }
 
 impl Solids {
@@ -24,9 +22,9 @@ impl Solids {
         self.boxes.push((name, low, high, mat));
     }
 
-    /// A surface for objects at height zero.
-    pub(crate) fn top(&mut self, name: &'static str, rect: &Rect) {
-        self.tops.push((name, *rect));
+    /// A surface for objects at height zero, by its middle and its half lengths.
+    pub(crate) fn top(&mut self, name: &'static str, middle: (f32, f32), half: (f32, f32)) {
+        self.tops.push((name, middle, half));
     }
 
     /// The object and the centre of its base; `None` without boxes.
@@ -40,10 +38,8 @@ impl Solids {
             let local = |p: &[f32; 3]| [p[0] - at.x, p[1] - at.y, p[2] - at.z];
             build.block(name, local(low), local(high), *mat);
         }
-        for (name, rect) in &self.tops {
-            let area = (metres(rect.width()) / 2.0, metres(rect.depth()) / 2.0);
-            let centre = [metres(rect.x0 + rect.x1) / 2.0 - at.x, metres(rect.y0 + rect.y1) / 2.0 - at.y, -at.z];
-            build.top(name, centre, area);
+        for (name, (x, y), half) in &self.tops {
+            build.top(name, [x - at.x, y - at.y, -at.z], *half);
         }
         let (asset, _) = build.finish();
         Some((Object::new(self.class, asset, Bounds::standing(high - low)), at))

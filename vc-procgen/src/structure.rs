@@ -282,7 +282,8 @@ fn floor(plan: &FloorPlan, room: usize, finishes: &Finishes) -> Item {
         solids.block("floor", corner(rect.x0, rect.y0, -SLAB), corner(rect.x1, rect.y1, 0.0), finishes.floors[room]);
     }
     for rect in own.net() {
-        solids.top("floor", &rect);
+        let middle = (metres(rect.x0 + rect.x1) / 2.0, metres(rect.y0 + rect.y1) / 2.0);
+        solids.top("floor", middle, (metres(rect.width()) / 2.0, metres(rect.depth()) / 2.0));
     }
     solids.item(room).unwrap_or_else(|| unreachable_floor(room))
 }

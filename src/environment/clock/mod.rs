@@ -266,7 +266,7 @@ impl Environment {
     }
 
     /// The number of endings that no step has returned yet.
-    pub(super) fn unread_endings(&self) -> usize {
+    pub(crate) fn unread_endings(&self) -> usize {
         self.clock.endings.len()
     }
 

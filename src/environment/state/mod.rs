@@ -134,8 +134,8 @@ impl Environment {
         }
         let (relations, floor, _) = read(&self.start, &mut self.world, self.clock.as_read(&self.graph))?;
         (self.relations, self.floor) = (relations.into(), floor.into());
-        let scene = SceneDifference::between(&self.start.graph, &self.graph);
-        let again = scene.applied_to(&self.start.graph)?;
+        let scene = SceneDifference::between(&self.start.graph, &self.graph, &record);
+        let again = scene.applied_to(&self.start.graph, &record)?;
         if again != self.graph || again.next_number() != self.graph.next_number() {
             return Err(StateError::OtherScene);
         }
@@ -182,7 +182,7 @@ impl Environment {
         if !Arc::ptr_eq(&self.start, &saved.start) {
             return Err(StateError::OtherStart);
         }
-        let graph = saved.scene.applied_to(&self.start.graph)?;
+        let graph = saved.scene.applied_to(&self.start.graph, &saved.record)?;
         let sleeper = Arc::new(Sleeper::new(state.clone(), graph.clone()));
         Ok(Self {
             start: self.start.clone(),

@@ -1,8 +1,12 @@
 //! A scene as what differs from the one that it began as. Most of it are relations, which take little.
 
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
-use vc_graph::{AssetLibrary, Change, ChangeMismatch, ChangeSet, Edge, SceneBuilder, SceneGraph};
+use vc_graph::{AssetLibrary, Change, ChangeSet, Edge, NodeId, Pose, SceneBuilder, SceneGraph};
+use vc_physics::RestRecord;
+
+use super::StateError;
 
 /// Changes in their order, sixteen bytes each for relations, of which most are.
 pub(super) struct PackedChanges(Box<[Packed]>);
@@ -49,7 +53,7 @@ fn node_bytes(change: &Change) -> usize {
     }
 }
 
-/// The difference of a scene from its start.
+/// The difference of a scene from its start, but for poses that a record of its bodies tells.
 pub(super) struct SceneDifference {
     changes: PackedChanges,
     assets: Arc<AssetLibrary>,
@@ -57,15 +61,35 @@ pub(super) struct SceneDifference {
 }
 
 impl SceneDifference {
-    pub(super) fn between(start: &SceneGraph, now: &SceneGraph) -> Self {
-        let changes = PackedChanges::new(&ChangeSet::between(start, now));
+    pub(super) fn between(start: &SceneGraph, now: &SceneGraph, record: &RestRecord) -> Self {
+        let told: BTreeMap<NodeId, Pose> = record.poses().collect();
+        let is_told = |change: &&Change| match change {
+            Change::Pose { id, after, .. } => after.is_some() && told.get(id) == after.as_ref(),
+            _ => false,
+        };
+        let changes = ChangeSet::between(start, now);
+        let untold: ChangeSet = changes.changes().iter().filter(|change| !is_told(change)).cloned().collect();
+        let changes = PackedChanges::new(&untold);
         Self { changes, assets: now.assets().clone(), next: now.next_number() }
     }
 
     /// The scene that differs so from its start.
-    pub(super) fn applied_to(&self, start: &SceneGraph) -> Result<SceneGraph, ChangeMismatch> {
+    pub(super) fn applied_to(&self, start: &SceneGraph, record: &RestRecord) -> Result<SceneGraph, StateError> {
         let mut graph = start.clone();
-        self.changes.unpacked().apply(&mut graph)?;
+        let changes = self.changes.unpacked();
+        changes.apply(&mut graph)?;
+        let posed = |change: &Change| match change {
+            Change::Pose { id, .. } => Some(*id),
+            _ => None,
+        };
+        let untold: BTreeSet<NodeId> = changes.changes().iter().filter_map(posed).collect();
+        let moved = |(id, pose): &(NodeId, Pose)| {
+            !untold.contains(id) && graph.node(*id).is_some_and(|node| node.pose() != Some(pose))
+        };
+        let moved: Vec<(NodeId, Pose)> = record.poses().filter(moved).collect();
+        let mut edit = graph.edit();
+        moved.into_iter().try_for_each(|(id, pose)| edit.set_pose(id, Some(pose)))?;
+        edit.commit();
         let mut builder = SceneBuilder::from_graph(graph);
         builder.assets(self.assets.clone()).number_from(self.next);
         Ok(builder.build())

@@ -4,12 +4,12 @@
 //! record, and whoever builds another from the same record gets the same world, bit for bit: *rest is a rebuild*.
 
 use rapier3d::math::Pose as EnginePose;
-use vc_graph::NodeId;
+use vc_graph::{NodeId, Pose};
 
 use crate::engine::{resting_pose, same_rest};
 use crate::state::{Agent, Moving, Spot, Thing, Waters};
 use crate::world::PhysicsWorld;
-use crate::{BodyRole, RestError, group, joints};
+use crate::{BodyRole, RestError, convert, group, joints};
 
 /// A world at rest, as what differs from the world that it began as. [`PhysicsWorld::record`] makes it,
 /// [`PhysicsWorld::recorded`] reads it.
@@ -49,6 +49,12 @@ impl RestRecord {
     /// The nodes that differ from the start, by number: moved, turned, taken, or new.
     pub fn things(&self) -> impl Iterator<Item = NodeId> + '_ {
         self.things.iter().map(|recorded| recorded.thing.id)
+    }
+
+    /// The poses of these, of those that have a body, as [`PhysicsWorld::pose`] tells them.
+    pub fn poses(&self) -> impl Iterator<Item = (NodeId, Pose)> + '_ {
+        let pose = |recorded: &RecordedThing| Some((recorded.thing.id, convert::isometry(recorded.poses.first()?)));
+        self.things.iter().filter_map(pose)
     }
 
     /// The [steps](PhysicsWorld::ticks) that the world had made.

@@ -7,7 +7,8 @@ use vc_graph::State;
 
 use super::looks::Looks;
 use super::measures::{CABIN, CABIN_FRONT, CABIN_WALL, LIFT_DOOR, SILL};
-use super::parts::{Block, Maker, block, mounted, placed, solid};
+use super::parts::{self, Block, Maker, block, mounted, placed, solid};
+use crate::area::Area;
 use crate::item::{Item, Support};
 
 /// The places of some items among those of the cabin.
@@ -28,7 +29,7 @@ pub(super) fn items(storeys: usize, looks: &Looks, maker: Maker<'_>) -> Vec<Item
     let [half, depth, height] = CABIN;
     let (south, north) = (CABIN_FRONT + CABIN_WALL, CABIN_FRONT + CABIN_WALL + depth);
     let mut items = Vec::new();
-    items.extend(solid("floor", &floor(looks)));
+    items.extend(parts::floor(&floor(looks), &[within()]));
     let door = maker.sized("lift_door", [CABIN_WALL, LIFT_DOOR.0, LIFT_DOOR.1]);
     items.extend(door.map(|door| mounted(door, [0.0, CABIN_FRONT + CABIN_WALL / 2.0, 0.0], FRAC_PI_2)));
     let middle = f32::midpoint(south, north);
@@ -61,10 +62,15 @@ pub(super) fn names(storeys: usize) -> Vec<(usize, Arc<str>)> {
     (0..storeys).map(|storey| (BUTTONS + storey, format!("storey {storey}").into())).collect()
 }
 
-/// The floor within the walls, and the sill under the door.
+/// The floor within the walls.
+pub(super) fn within() -> Area {
+    let south = CABIN_FRONT + CABIN_WALL;
+    Area { x0: -CABIN[0], y0: south, x1: CABIN[0], y1: south + CABIN[1] }
+}
+
+/// The floor under the walls, and the sill under the door.
 fn floor(looks: &Looks) -> [Block; 2] {
-    let (half, south) = (CABIN[0] + CABIN_WALL, CABIN_FRONT + CABIN_WALL);
-    let north = south + CABIN[1] + CABIN_WALL;
+    let (half, north) = (CABIN[0] + CABIN_WALL, within().y1 + CABIN_WALL);
     let door = LIFT_DOOR.0 / 2.0;
     let slab = |x, y| block(x, y, (-FLOOR, 0.0), looks.cabin.1);
     [slab((-half, half), (CABIN_FRONT, north)), slab((-door, door), (SILL.1, CABIN_FRONT))]

@@ -4,7 +4,7 @@ use std::f32::consts::FRAC_PI_2;
 
 use super::looks::Looks;
 use super::measures::{BACK, BANISTER, CLEAR, DECK, GATE, INSET, LIFT, LIFT_DOOR, SHAFT, SHAFT_WALL, SILL, SLAB, UP};
-use super::parts::{Block, Maker, P, block, mounted, placed, solid};
+use super::parts::{Block, Maker, P, block, floor, mounted, placed, solid};
 use super::rail::rail;
 use super::stairs::stairs;
 use crate::area::Area;
@@ -36,7 +36,7 @@ pub(super) struct Gallery {
 impl Gallery {
     /// All its items; those with a place come first.
     pub(super) fn items(&self, looks: &Looks, maker: Maker<'_>) -> Vec<Item> {
-        let mut items = Vec::from_iter(solid("floor", &self.floor(looks)));
+        let mut items = Vec::from_iter(floor(&self.floor(looks), &[DECK]));
         items.extend(lift_door(maker));
         items.extend(call_button(maker));
         items.extend(self.shaft(looks));

@@ -7,6 +7,7 @@ use vc_graph::{Pose, Seed};
 use vc_shapes::material::MaterialId;
 use vc_shapes::{Build, Object, Style, object};
 
+use crate::area::Area;
 use crate::item::{Item, Support, standing};
 use crate::solids::Solids;
 
@@ -21,10 +22,23 @@ pub(super) fn block((x0, x1): (f32, f32), (y0, y1): (f32, f32), (z0, z1): (f32, 
     ([x0, y0, z0], [x1, y1, z1], material)
 }
 
-/// A part of the building made of boxes, with surfaces for things on the boxes that are asked for.
+/// A part of the building made of boxes.
 pub(super) fn solid(class: &'static str, blocks: &[Block]) -> Option<Item> {
+    solid_with(class, blocks, &[])
+}
+
+/// A floor made of boxes, on whose areas things can be put at height zero.
+pub(super) fn floor(blocks: &[Block], areas: &[Area]) -> Option<Item> {
+    solid_with("floor", blocks, areas)
+}
+
+fn solid_with(class: &'static str, blocks: &[Block], areas: &[Area]) -> Option<Item> {
     let mut solids = Solids::new(class);
     blocks.iter().for_each(|(low, high, material)| solids.block(class, *low, *high, *material));
+    for area in areas {
+        let (width, depth) = area.size();
+        solids.top(class, area.centre(), (width / 2.0, depth / 2.0));
+    }
     let (object, at) = solids.finish()?;
     Some(fixed(object, Pose::translation(at.x, at.y, at.z)))
 }

@@ -8,7 +8,7 @@ use vc_graph::{Draft, SceneBuilder, SceneGraph};
 
 use super::error::BuildingError;
 use super::gallery::{self, Gallery};
-use super::measures::{CABIN, CABIN_FRONT, CABIN_WALL, CLEAR, YARD};
+use super::measures::{CABIN, CLEAR, YARD};
 use super::parts::Maker;
 use super::{Building, cabin, yard};
 use crate::apartment::Apartment;
@@ -89,17 +89,13 @@ impl Building {
         let floor = items.get(gallery::FLOOR).map_or(Area::default(), Item::area);
         let (name, room, names) = match part {
             Part::Gallery(storey) => (format!("gallery {storey}"), standing("gallery", &floor, CLEAR), Vec::new()),
-            Part::Cabin => ("lift".into(), standing("lift", &inside(), CABIN[2]), cabin::names(self.places.len())),
+            Part::Cabin => {
+                ("lift".into(), standing("lift", &cabin::within(), CABIN[2]), cabin::names(self.places.len()))
+            }
             Part::Home(..) | Part::Yard => ("yard".into(), standing("garden", &YARD, CLEAR), Vec::new()),
         };
         Shared { name, room, items, names }
     }
-}
-
-/// The floor of the cabin within its walls.
-fn inside() -> Area {
-    let south = CABIN_FRONT + CABIN_WALL;
-    Area { x0: -CABIN[0], x1: CABIN[0], y0: south, y1: south + CABIN[1] }
 }
 
 fn standing(class: &'static str, floor: &Area, height: f32) -> Draft {

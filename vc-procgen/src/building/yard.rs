@@ -5,7 +5,7 @@ use std::f32::consts::{FRAC_PI_2, PI};
 use vc_shapes::material::{GRASS, GRAVEL};
 
 use super::measures::{PATH, SLAB, YARD};
-use super::parts::{Maker, block, placed, solid};
+use super::parts::{Maker, block, floor, placed};
 use crate::item::{Item, Support};
 
 /// The depth and height of hedges.
@@ -36,7 +36,7 @@ pub(super) fn items(maker: Maker<'_>) -> Vec<Item> {
         Some(placed(maker.usual(class, nth)?, [x, y, 0.0], yaw, Support::Floor))
     });
     let tree = maker.sized("fruit_tree", TREE.1).map(|tree| placed(tree, TREE.0, 0.0, Support::Floor));
-    solid("floor", &ground).into_iter().chain(hedges(maker)).chain(things).chain(tree).collect()
+    floor(&ground, &[YARD]).into_iter().chain(hedges(maker)).chain(things).chain(tree).collect()
 }
 
 /// Hedges along three sides, two each.
