@@ -7,7 +7,7 @@ use crate::right_of_way::STANDING;
 use crate::trip::{TrafficEvent, VehicleId};
 
 /// One that has stood for so long is told, seconds, and one that stands in the wrong lane for so long goes where it leads.
-const STUCK: f32 = 300.0;
+pub(crate) const STUCK: f32 = 300.0;
 const WRONG: f32 = 20.0;
 /// Vehicles go sideways at this part of their speed, and at least and at most so fast, metres per second.
 const SIDEWAYS: f32 = 0.2;

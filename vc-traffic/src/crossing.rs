@@ -15,8 +15,8 @@ const FAR: f64 = 25.0;
 /// The width of a corner, and of a way to a door, metres.
 const CORNER: f64 = 1.2;
 pub(crate) const TO_DOOR: f32 = 1.2;
-/// Nobody walks where there is less room than this, metres.
-const NARROWEST: f64 = 0.5;
+/// Nobody walks where two do not pass each other, metres.
+const NARROWEST: f64 = 0.9;
 /// Lanes are looked for within this distance, metres.
 const NEAR: f64 = 8.0;
 
@@ -55,11 +55,19 @@ fn kerbs(map: &StreetMap, crossing: &RoadCrossing) -> [f32; 2] {
     let on =
         |at: &Point| roads.iter().any(|road| road.line.project(at).left.abs() < road.draft.section.surface() / 2.0);
     let length = crossing.line.length();
+    // All over its width, as a crossing may be askew.
+    let across = |station: f64| [-0.5, 0.0, 0.5].map(|part| beside(&crossing.line, station, part * crossing.width));
     let step = f64::from(KERB);
-    let mut over = stations_by(length, step).filter(|station| on(&crossing.line.at(*station)));
+    let mut over = stations_by(length, step).filter(|station| across(*station).iter().any(on));
     let first = over.next();
     let last = over.last().or(first);
     [(first.unwrap_or(0.0) - step).max(0.0) as f32, (last.unwrap_or(length) + step).min(length) as f32]
+}
+
+/// The point beside a station of a line, so far to its left, metres.
+fn beside(line: &Polyline, station: f64, left: f64) -> Point {
+    let along = line.direction(station);
+    line.at(station) + nalgebra::Vector2::new(-along.y, along.x) * left
 }
 
 /// How far beyond the end of a movement the rear of a vehicle is clear of the crossings that it leads over, metres; 0 without one.

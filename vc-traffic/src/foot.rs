@@ -8,6 +8,7 @@ use vc_map::route::{Leg, Mode, Router};
 use vc_map::{CrossingId, DrivingSide, Light, Polyline, StreetMap, WalkKind};
 
 use crate::Traffic;
+use crate::advance::STUCK;
 use crate::crossing::{KERB, TO_DOOR, is_off_the_road, widths};
 use crate::crowd::{Crowd, RADIUS, Walker, Way};
 use crate::network::NONE;
@@ -224,6 +225,9 @@ impl Traffic {
         }
         self.foot.crowd.step();
         let now = (self.step + 1) as f32 * self.dt;
+        let stuck = |walker: &Walker| (STUCK..STUCK + self.dt).contains(&walker.stood);
+        let stuck: Vec<PersonId> = self.foot.crowd.people().filter(stuck).map(|walker| walker.id).collect();
+        self.events.extend(stuck.into_iter().map(|person| TrafficEvent::StuckOnFoot { person }));
         let there = |walker: &Walker| walker.station() > walker.way.length() - THERE;
         let arrived: Vec<Walker> = self.foot.crowd.people().filter(there).collect();
         for walker in arrived {

@@ -97,6 +97,11 @@ pub enum TrafficEvent {
         /// The length of the way, metres.
         metres: f32,
     },
+    /// Somebody on foot has not come on for five minutes, other than at a crossing.
+    StuckOnFoot {
+        /// The person.
+        person: PersonId,
+    },
     /// A walk cannot be made: every way, or the fastest, leads along a carriageway.
     NoWalk {
         /// The person.

@@ -46,6 +46,15 @@ const PARTS: f32 = 65536.0;
 const MEETS: f32 = 4.0;
 const ASIDE: f32 = 0.3;
 const SLOWER: f32 = 0.1;
+/// Whoever has not come on for so long only keeps from touching others, and tries a direction for some time each, up to so much to a side, and
+/// once in so many times back; seconds, and the part of their speed. One comes on who goes so fast along the way, and waits who is so near to where one does; metres per second, metres.
+const IMPATIENT: f32 = 5.0;
+const TRIES: f32 = 2.0;
+const TRIED: f32 = 0.6;
+const ASIDE_MOST: f32 = 1.5;
+const BACK: u64 = 3;
+const COMES_ON: f32 = 0.2;
+const WAITS: f32 = 0.3;
 /// A way with a smaller sine between two pieces goes straight on.
 const STRAIGHT: f32 = 0.01;
 /// The edge of a bend leans back by at most so much for each metre aside.
@@ -68,6 +77,8 @@ pub struct Walker {
     pub stop: f32,
     /// The station of the way behind which one does not let oneself be pushed back, metres.
     pub back: f32,
+    /// For how long they have not come on, seconds.
+    pub stood: f32,
     piece: u32,
 }
 
@@ -75,7 +86,7 @@ impl Walker {
     /// Somebody who stands at a station of a way, so far to the left of its line in metres, and walks at a speed in metres per second.
     pub fn new(id: PersonId, way: Arc<Way>, station: f32, left: f32, speed: f32) -> Self {
         let (at, piece) = (way.at(station, left), way.piece(station) as u32);
-        Self { id, way, at, velocity: [0.0; 2], speed, stop: f32::INFINITY, back: f32::NEG_INFINITY, piece }
+        Self { id, way, at, velocity: [0.0; 2], speed, stop: f32::INFINITY, back: f32::NEG_INFINITY, stood: 0.0, piece }
     }
 
     /// How far along the way they are, metres.
@@ -125,6 +136,8 @@ pub struct Crowd {
     speed: Vec<f32>,
     stop: Vec<f32>,
     back: Vec<f32>,
+    stood: Vec<f32>,
+    steps: u64,
     seen: Vec<Seen>,
 }
 
@@ -144,6 +157,8 @@ impl Crowd {
             speed: Vec::new(),
             stop: Vec::new(),
             back: Vec::new(),
+            stood: Vec::new(),
+            steps: 0,
             seen: Vec::new(),
         }
     }
@@ -163,7 +178,7 @@ impl Crowd {
         if self.slots.contains_key(&walker.id) || self.slots.values().any(taken) {
             return false;
         }
-        let Walker { id, way, velocity, speed, stop, back, piece, .. } = walker;
+        let Walker { id, way, velocity, speed, stop, back, stood, piece, .. } = walker;
         let slot = self.free.pop().unwrap_or(self.id.len() as u32);
         let i = slot as usize;
         if i == self.id.len() {
@@ -175,10 +190,11 @@ impl Crowd {
             self.speed.push(speed);
             self.stop.push(stop);
             self.back.push(back);
+            self.stood.push(stood);
         } else {
             (self.id[i], self.way[i], self.piece[i], self.at[i]) = (id.0, way, piece, at);
             (self.velocity[i], self.speed[i]) = (velocity.into(), speed);
-            (self.stop[i], self.back[i]) = (stop, back);
+            (self.stop[i], self.back[i], self.stood[i]) = (stop, back, stood);
         }
         self.slots.insert(id, slot);
         true
@@ -249,6 +265,7 @@ impl Crowd {
             speed: self.speed[i],
             stop: self.stop[i],
             back: self.back[i],
+            stood: self.stood[i],
             piece: self.piece[i],
         }
     }
@@ -274,13 +291,24 @@ impl Crowd {
             while (self.piece[i] as usize) + 1 < pieces.len() && pieces[self.piece[i] as usize].is_behind(&self.at[i]) {
                 self.piece[i] += 1;
             }
+            self.stood[i] = self.stands(one.slot);
         }
         self.seen = seen;
+        self.steps += 1;
+    }
+
+    /// How long somebody has not come on after a step, seconds; nothing for those who wait where they have to.
+    fn stands(&self, slot: u32) -> f32 {
+        let i = slot as usize;
+        let along = self.velocity[i].dot(&self.way[i].pieces[self.piece[i] as usize].along);
+        let waits = self.stop[i] - RADIUS - self.station(slot) < WAITS;
+        if waits || along > COMES_ON { 0.0 } else { self.stood[i] + self.dt }
     }
 
     /// A number of everything that decides on what follows: equal for equal states.
     pub fn digest(&self) -> Digest {
         let mut hasher = Digester::new();
+        hasher.word(self.steps);
         for (id, slot) in &self.slots {
             let i = *slot as usize;
             hasher.words([u64::from(id.0), u64::from(self.piece[i])]);
@@ -292,9 +320,19 @@ impl Crowd {
                 self.speed[i],
                 self.stop[i],
                 self.back[i],
+                self.stood[i],
             ]);
         }
         hasher.digest()
+    }
+
+    /// The direction that somebody tries who does not come on: ahead to one side or the other, and sometimes back.
+    fn tries(&self, id: u32, piece: &Piece) -> Vector2<f32> {
+        let turn = self.steps / (TRIES / self.dt) as u64;
+        let number = vc_graph::hash::splitmix(turn << 32 | u64::from(id));
+        let side = (number >> 40) as f32 / (1 << 23) as f32 - 1.0;
+        let ahead = if number.is_multiple_of(BACK) { -1.0 } else { 1.0 };
+        (piece.along * ahead + piece.left() * (side * ASIDE_MOST)).normalize()
     }
 
     /// The velocity that somebody takes.
@@ -311,7 +349,7 @@ impl Crowd {
         let piece = &pieces[self.piece[i] as usize];
         let next = pieces.get(self.piece[i] as usize + 1);
         let (station, aside) = piece.place(&own.at);
-        let mut room = Room { count: 0, before: None };
+        let mut room = Room { count: 0, before: None, meets: false };
         let mut nearest = Nearest::new();
         for other in rows.into_iter().flatten() {
             let them = &people[other];
@@ -330,8 +368,10 @@ impl Crowd {
             speed = speed.min((2.0 * SLOWS * stop.max(0.0)).sqrt());
         }
         speed = speed.min(own.velocity.norm() + SETS_OFF * self.dt);
-        let wish = wish(piece, next, station, aside) * speed + piece.left() * room.aside(speed, self.right);
+        let wish = wish(piece, next, station, aside) * speed + piece.left() * room.aside(speed, aside, self.right);
 
+        let impatient = self.stood[i] > IMPATIENT;
+        let wish = if impatient { self.tries(own.id, piece) * (free * TRIED) } else { wish };
         let mut most = free * FASTER;
         let reach = |most: f32| 2.0 * (RADIUS + most * self.dt);
         if let Some((square, _)) = nearest.all().last().filter(|_| nearest.is_full()) {
@@ -357,7 +397,7 @@ impl Crowd {
                 let gap = (distance - 2.0 * RADIUS).max(0.0);
                 planes.hard.push(HalfPlane { normal: -away / distance, least: -gap / (2.0 * self.dt) });
             }
-            if number < AVOIDED {
+            if number < AVOIDED && !impatient {
                 let apart = 2.0 * RADIUS + MARGIN;
                 let time = if distance < apart { TOO_NEAR } else { AHEAD };
                 planes.soft.push(orca::avoid(&own.velocity, &away, &(own.velocity - them.velocity), apart, time));
@@ -380,6 +420,8 @@ struct Room {
     count: u32,
     /// The nearest straight ahead: how far, the number, how far to the left, metres, and the speed along one's way, metres per second.
     before: Option<(f32, u32, f32, f32)>,
+    /// Whether somebody comes towards one.
+    meets: bool,
 }
 
 impl Room {
@@ -392,19 +434,23 @@ impl Room {
         if ahead < ROOM[0] && beside < ROOM[1] {
             self.count += ((1.0 - ahead / ROOM[0]) * (1.0 - beside / ROOM[1]) * PARTS) as u32;
         }
+        self.meets |= ahead < MEETS && them.velocity.dot(&piece.along) < -SLOWER;
         let straight = ahead < MEETS && beside < 2.0 * RADIUS + MARGIN;
         if straight && self.before.is_none_or(|(nearest, id, ..)| (ahead, them.id) < (nearest, id)) {
             self.before = Some((ahead, them.id, left, them.velocity.dot(&piece.along)));
         }
     }
 
-    /// The velocity to the left with which somebody of a speed makes way, or passes, metres per second.
-    fn aside(&self, speed: f32, right: bool) -> f32 {
-        let Some((_, _, left, theirs)) = self.before.filter(|(.., theirs)| *theirs < speed - SLOWER) else {
-            return 0.0;
-        };
-        let away = if theirs < -SLOWER { if right { 1.0 } else { -1.0 } } else { left };
-        -ASIDE.copysign(away)
+    /// The velocity to the left with which somebody of a speed, so far aside, makes way or passes, metres per second.
+    fn aside(&self, speed: f32, aside: f32, right: bool) -> f32 {
+        let side = if right { -1.0 } else { 1.0 };
+        match self.before.filter(|(.., theirs)| *theirs < speed - SLOWER) {
+            Some((.., theirs)) if theirs < -SLOWER => side * ASIDE,
+            Some((_, _, left, _)) => -ASIDE.copysign(left),
+            // On one's own half of the way.
+            None if self.meets && side * aside < RADIUS + MARGIN => side * ASIDE,
+            None => 0.0,
+        }
     }
 
     /// The people on a square metre of the room as far as it lies on the way.

@@ -118,6 +118,7 @@ fn run(traffic: &mut Traffic, steps: usize) -> Seen {
             match event {
                 TrafficEvent::SetOff { .. } => seen.set_off += 1,
                 TrafficEvent::Reached { .. } => seen.reached += 1,
+                TrafficEvent::StuckOnFoot { person } => panic!("step {step}: {person}"),
                 TrafficEvent::NoWalk { .. } => seen.no_walk += 1,
                 TrafficEvent::Arrived { .. } => seen.arrived += 1,
                 TrafficEvent::NoWay { .. } => seen.no_way += 1,
