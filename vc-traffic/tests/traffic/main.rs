@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, missing_docs, reason = "a test that cannot go on fails")]
 
 mod crowd;
+mod extracts;
 mod foot;
 mod grid;
 mod people;
