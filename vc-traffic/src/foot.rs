@@ -166,7 +166,7 @@ impl Traffic {
             let (junction, c) = (walk.junction as usize, crossing as usize);
             let light = self.light_of(junction, walk.row as usize);
             let lit = matches!(light, None | Some(Light::Green | Light::GreenYield));
-            // Who has not come over the kerb yet waits.
+            // One who has not come over the kerb yet waits.
             let begun = station + RADIUS > from + KERB;
             let mut leaves = false;
             if journey.on {

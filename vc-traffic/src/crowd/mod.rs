@@ -270,7 +270,8 @@ impl Crowd {
         }
     }
 
-    /// One step: everybody chooses a velocity by those around as they were, then all move. Costs at most about a microsecond for each.
+    /// One step: everybody chooses a velocity by those around as they were, then all move. Costs about a microsecond for each
+    /// where people are as many as in streets, and some microseconds in dense crowds.
     pub fn step(&mut self) {
         let mut seen = std::mem::take(&mut self.seen);
         seen.clear();
