@@ -193,7 +193,7 @@ impl Traffic {
         let one = &asking[position];
         let movement = network.movement(one.link);
         let table = &network.map.junctions()[junction].conflicts;
-        // Of those who have waited for too long none keeps another one from going.
+        // None of those who have waited for too long keeps another one from going.
         let waits = one.stood <= PATIENCE && kept.iter().any(|row| table.has(one.row, *row));
         if waits || !self.has_room(one.slot, movement) {
             return false;

@@ -1,4 +1,4 @@
-//! Who is near whom: a uniform grid, as a list in the order of its cells.
+//! Neighbours: a uniform grid, as a list in the order of its cells.
 
 use nalgebra::{Point2, Vector2};
 

@@ -69,7 +69,7 @@ impl Way {
         }
         for next in 1..pieces.len() {
             let both = pieces[next - 1].along + pieces[next].along;
-            // Who turns back goes to the end first.
+            // One who turns back goes to the end first.
             pieces[next - 1].gate = both.try_normalize(0.1).unwrap_or(pieces[next - 1].along);
         }
         (!pieces.is_empty()).then_some(Self { pieces })

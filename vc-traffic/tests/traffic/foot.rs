@@ -13,7 +13,7 @@ use crate::people::overlap;
 const RADIUS: f64 = 0.2;
 const ROUNDING: f64 = 0.01;
 
-/// What is checked at every step, and what happened.
+/// Everything that happened.
 #[derive(Debug, Default)]
 struct Seen {
     set_off: usize,
@@ -74,7 +74,7 @@ fn light(map: &StreetMap, id: CrossingId, seconds: f64) -> Option<Light> {
 fn run(traffic: &mut Traffic, steps: usize) -> Seen {
     let map = traffic.map().clone();
     let mut seen = Seen::default();
-    // Who was on a carriageway, and since when somebody has stood.
+    // Those who were on a carriageway, and for how long somebody has stood.
     let mut over: BTreeMap<PersonId, CrossingId> = BTreeMap::new();
     let mut stood: BTreeMap<PersonId, f32> = BTreeMap::new();
     for step in 0..steps {
