@@ -47,6 +47,7 @@ use vc_graph::{Asset, Bounds, ObjectRole, Property, Seed};
 use crate::facts::ClassFacts;
 use crate::solid::Build;
 use crate::style::Style;
+pub use cooker::fitted;
 pub use registry::{Generators, RegisterError};
 pub use rest::settled;
 

@@ -17,13 +17,32 @@ enum Fire {
 pub(super) fn stove(b: &mut Build<'_>) {
     let u = fit(b, [0.56, 0.48, 0.8]);
     let (x, y, h) = half_dims(b);
-    let body = b.style.appliance;
-    let trim = b.choose(&[STEEL, BLACK_METAL, body]);
-    let face = x - RUN * u;
-    let wall = 0.035 * u;
+    let trim = b.choose(&[STEEL, BLACK_METAL, b.style.appliance]);
     let fire = b.choose(&[Fire::Gas, Fire::Gas, Fire::Glass, Fire::Glass, Fire::Plates]);
     let top = h - 0.03 * u;
     cooktop(b, fire, ([-x, -y, top - 0.025 * u], [x - 0.004 * u, y, h]), u);
+    let look = Fitted { panel: Panel::Slab, handle: Handle::None, mat: trim, metal: STEEL, t: 0.03 * u };
+    range(b, u, (top - 0.025 * u, trim), &look);
+}
+
+/// A hob on a worktop over an oven, with a drawer of a design at the bottom.
+pub(super) fn built_in_cooker(b: &mut Build<'_>, u: f32, look: &Fitted) {
+    let (x, y, h) = half_dims(b);
+    let trim = b.choose(&[STEEL, BLACK_METAL, BLACK_GLASS]);
+    let fire = b.choose(&[Fire::Gas, Fire::Glass, Fire::Glass, Fire::Glass]);
+    let under = h - 0.035 * u;
+    b.block("worktop", [-x, -y, under], [x, y, h], b.style.worktop);
+    let (back, front, side) = (0.055 * u, 0.05 * u, (y - 0.29 * u).max(0.012 * u));
+    let rise = if fire == Fire::Gas { 0.036 } else { 0.006 };
+    cooktop(b, fire, ([back - x, side - y, h], [x - front, y - side, h + rise * u]), u);
+    let look = Fitted { t: 0.03 * u, ..*look };
+    range(b, u, (under, trim), &look);
+}
+
+/// The part of a stove below its plate: controls up to `top`, one or two ovens, a drawer.
+fn range(b: &mut Build<'_>, u: f32, (top, trim): (f32, MaterialId), look: &Fitted) {
+    let (x, y, h) = half_dims(b);
+    let (body, face, wall) = (b.style.appliance, x - RUN * u, 0.035 * u);
     let (sill, lintel) = (h * b.vary(0.22, 0.26), h * 0.83);
     let back = face - 0.03 * u;
     b.block("plinth", [-x, -y + 0.02 * u, 0.0], [back - 0.04 * u, y - 0.02 * u, 0.05 * u], BLACK_METAL);
@@ -37,10 +56,10 @@ pub(super) fn stove(b: &mut Build<'_>) {
         let door = ([back, y0, sill], [face, y1, lintel]);
         glass_door(b, Swing::Down, door, (trim, BLACK_GLASS), 0.028 * u);
     }
-    b.block("controls", [-x, -y, lintel], [face, y, top - 0.025 * u], trim);
+    b.block("controls", [-x, -y, lintel], [face, y, top], trim);
     let radius = ((h - lintel - 0.055 * u) * 0.34).min(0.03 * u);
     let knob_mats = b.choose(&[(BLACK_PLASTIC, WHITE), (STEEL, BLACK), (WHITE_PLASTIC, BLACK)]);
-    let z = f32::midpoint(lintel, top - 0.025 * u);
+    let z = f32::midpoint(lintel, top);
     let count = 4 + ovens + b.rng.below(2);
     let clock = b.rng.chance(0.5);
     let span = 1.8 * y;
@@ -53,9 +72,8 @@ pub(super) fn stove(b: &mut Build<'_>) {
         knobs(b, [face, 0.0, z], span, count, radius.min(y * 0.12), knob_mats);
     }
     // A drawer for trays at the bottom.
-    let look = Fitted { panel: Panel::Slab, handle: Handle::None, mat: trim, metal: STEEL, t: 0.03 * u };
     case(b, [-x, -y, 0.05 * u], [back, y, sill], 0.015 * u, body);
-    pull_out(b, &look, "drawer", ([-x + 0.02 * u, -y, 0.05 * u], [face, y, sill]));
+    pull_out(b, look, "drawer", ([-x + 0.02 * u, -y, 0.05 * u], [face, y, sill]));
 }
 
 /// A built-in plate with burners for a worktop.

@@ -1,6 +1,7 @@
 //! Kitchen units and appliances.
 
 mod cool;
+pub mod fitted;
 pub(super) mod fitting;
 mod heat;
 mod pot;
@@ -21,6 +22,7 @@ pub(super) const GENERATORS: &[Generator] = &[
     indoor("kitchen_wall_cabinet", 10, unit::kitchen_wall_cabinet),
     indoor("kitchen_counter", 6, unit::kitchen_counter),
     indoor("kitchen_island", 6, unit::kitchen_island),
+    indoor("backsplash", 4, unit::backsplash),
     indoor("kitchen_sink", 8, sink::kitchen_sink),
     indoor("sink", 5, sink::sink),
     indoor("utility_sink", 4, sink::utility_sink),

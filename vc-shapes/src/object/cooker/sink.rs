@@ -3,19 +3,24 @@
 use super::fitting::*;
 use super::unit::{plinth, unit_look};
 use crate::material::*;
-use crate::object::joinery::{gapped, handle, panel};
+use crate::object::joinery::{Fitted, gapped, handle, panel};
 use crate::solid::{Axis, Build, P, fit, floor_of, half_dims, pit, plate_with_hole};
 
 /// A sink unit: fixed fronts below, a worktop around one or two bowls, a ledge behind for the tap.
 /// A sink lower than 0.4 m is the bare bowl.
 pub(super) fn kitchen_sink(b: &mut Build<'_>) {
     let u = fit(b, [0.22, 0.25, 0.09]);
-    let (x, y, h) = half_dims(b);
-    if h < 0.4 {
+    if b.size.z < 0.4 {
         let farmhouse = b.rng.chance(0.4);
         return if farmhouse { apron(b, u) } else { inset(b, u) };
     }
     let look = unit_look(b, u);
+    sink_unit(b, u, &look);
+}
+
+/// A sink unit with fronts of a design.
+pub(super) fn sink_unit(b: &mut Build<'_>, u: f32, look: &Fitted) {
+    let (x, y, h) = half_dims(b);
     let (slab, kick) = (0.035 * u, 0.1 * u);
     let (front, under) = (x - RUN * u, h - slab);
     let (low, high) = ([-x, -y, kick], [front - look.t, y, under]);

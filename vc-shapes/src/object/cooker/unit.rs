@@ -30,18 +30,24 @@ pub(super) fn kitchen_wall_cabinet(b: &mut Build<'_>) {
     if design == 0 {
         look.panel = Panel::Glazed;
     }
-    let (low, high) = ([-x, -y, 0.0], [x - RUN * u - look.t, y, h]);
-    case(b, low, high, look.t, look.mat);
-    let spaces = (h / 0.3).round().clamp(1.0, 4.0) as usize;
-    let hollow = inner(low, high, look.t);
-    let (mat, t) = (look.mat, look.t);
-    tiers(b, "shelf", hollow, spaces, t, |b, l, h| b.block("shelf", l, [h[0] - 0.004, h[1], h[2]], mat));
-    let front = ([high[0], -y, 0.0], [high[0] + t, y, h]);
+    let high = [x - RUN * u - look.t, y, h];
+    shelved(b, &look, ([-x, -y, 0.0], high));
+    let front = ([high[0], -y, 0.0], [high[0] + look.t, y, h]);
     match design {
         1 if y * 2.0 > 0.45 => flap(b, &look, front),
         2 => front_rail(b, &look, front),
         _ => cupboard_doors(b, &look, front, 0.5, true),
     }
+}
+
+/// A case on a wall with shelves in it.
+pub(super) fn shelved(b: &mut Build<'_>, look: &Fitted, (low, high): (P, P)) {
+    case(b, low, high, look.t, look.mat);
+    let spaces = ((high[2] - low[2]) / 0.3).round().clamp(1.0, 4.0) as usize;
+    let mat = look.mat;
+    tiers(b, "shelf", inner(low, high, look.t), spaces, look.t, |b, l, h| {
+        b.block("shelf", l, [h[0] - 0.004, h[1], h[2]], mat);
+    });
 }
 
 /// A length of worktop on side panels, legs or brackets, sometimes with a splashback.
@@ -213,4 +219,11 @@ fn flap(b: &mut Build<'_>, look: &Fitted, (low, high): (P, P)) {
 fn front_rail(b: &mut Build<'_>, look: &Fitted, (low, high): (P, P)) {
     let split = low[1] + (high[1] - low[1]) * b.vary(0.4, 0.55);
     cupboard_door(b, look, "door", (low, [high[0], split, high[2]]), Swing::Right, true);
+}
+
+/// The covering of a wall over a worktop: tiles of the style, or a slab of the worktop's stone.
+pub(super) fn backsplash(b: &mut Build<'_>) {
+    let (x, y, h) = half_dims(b);
+    let mat = b.choose(&[b.style.tile, b.style.tile, b.style.worktop, WHITE_TILE]);
+    b.block("tiles", [-x, -y, 0.0], [x, y, h], mat);
 }

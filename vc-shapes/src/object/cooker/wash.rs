@@ -14,10 +14,16 @@ use crate::solid::{Axis, Build, P, basket, case, collar, fit, floor_of, half_dim
 /// A drop-down door in front of two baskets that slide out.
 pub(super) fn dishwasher(b: &mut Build<'_>) {
     let u = fit(b, [0.448, 0.352, 0.64]);
-    let (x, y, _) = half_dims(b);
-    let h = under_worktop(b, u);
     let built_in = b.rng.chance(0.4);
     let body = if built_in { b.style.front } else { b.choose(&[b.style.appliance, STEEL]) };
+    let look = Fitted::any(b, body, 0.03 * u);
+    dish_machine(b, u, built_in, &look);
+}
+
+/// A dishwasher with a door of a design: a panel, if it is built in, or its own front.
+pub(super) fn dish_machine(b: &mut Build<'_>, u: f32, built_in: bool, look: &Fitted) {
+    let (x, y, _) = half_dims(b);
+    let (h, body) = (under_worktop(b, u), look.mat);
     let (feet, face, door) = (0.1 * u, x - RUN * u, 0.03 * u);
     let (back, wall) = (face - door, 0.02 * u);
     b.block("plinth", [-x + 0.02 * u, -y, 0.0], [back - 0.04 * u, y, feet], if built_in { body } else { BLACK_METAL });
@@ -32,7 +38,6 @@ pub(super) fn dishwasher(b: &mut Build<'_>) {
     }
     b.cylinder("spray_arm", [(low[0] + high[0]) / 2.0, 0.0, low[2]], 0.03 * u, 0.012 * u, GREY_PLASTIC);
     let (dl, dh) = gapped([back, -y, feet], [face, y, h], 0.002 * u);
-    let look = Fitted::any(b, body, door);
     let plain = b.rng.chance(0.5);
     // The open door is level, so that the baskets slide out above it.
     swing(b, Swing::Down, dl, dh, FRAC_PI_2, |b| {
