@@ -17,8 +17,8 @@ pub(crate) struct Home {
 }
 
 impl Home {
-    pub(crate) fn generated(seed: u64, dressing: Option<Dressing>) -> Result<Self, Complaint> {
-        let wishes = Specification { dressing, ..Specification::default() };
+    pub(crate) fn generated(seed: u64, dressing: Option<Dressing>, fitted_kitchens: bool) -> Result<Self, Complaint> {
+        let wishes = Specification { dressing, fitted_kitchens, ..Specification::default() };
         let home = Apartment::generate(&wishes, Seed(seed)).map_err(Complaint::new)?;
         Ok(Self { scene: home.scene(), environment: None })
     }

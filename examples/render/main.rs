@@ -1,7 +1,7 @@
 //! All modalities of a room, side by side, from a generated home or a scene file.
 //!
 //! `cargo run --release --example render -- --seed 42 --room livingroom --out out/render` writes one sheet.
-//! `--dressed` dresses the rooms by use, `--dressing FILE` by a table of your own.
+//! `--dressed` dresses the rooms by use, `--dressing FILE` by a table of your own; `--fitted` makes a fitted kitchen.
 //! `--daylight evening` or `night` is another time; at night the lamps are on. `--time` prints the cost of each
 //! modality. `--reference` adds a path-traced picture, `--files` depth and flow as OpenEXR and NPY, boxes and
 //! masks as COCO, and the scene with the camera and the lights as glTF. `--scene FILE` takes the home from a
@@ -44,6 +44,9 @@ struct Options {
     /// Dress the generated home by a table of your own.
     #[arg(long, conflicts_with = "scene")]
     dressing: Option<PathBuf>,
+    /// Make the generated home with a fitted kitchen, if there is space for one.
+    #[arg(long, conflicts_with = "scene")]
+    fitted: bool,
     /// Class of the room.
     #[arg(long, default_value = "livingroom")]
     room: String,
@@ -105,7 +108,7 @@ fn main() -> Result<(), Complaint> {
     };
     let home = match &options.scene {
         Some(path) => Home::read(path)?,
-        None => Home::generated(options.seed, dressing)?,
+        None => Home::generated(options.seed, dressing, options.fitted)?,
     };
     remark::on_walls(&home.scene);
     let room = home.room(&options.room)?;

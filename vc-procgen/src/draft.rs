@@ -6,6 +6,7 @@ use std::sync::Arc;
 
 use nalgebra::Vector3;
 use vc_graph::{Asset, Bounds, ObjectRole, Seed};
+use vc_shapes::object::fitted::Unit;
 use vc_shapes::{Generator, Object, Style};
 
 /// A planned object: placements are found by its size alone, and the object is generated once it
@@ -23,6 +24,8 @@ enum Source {
     Made(Arc<Object>),
     /// Clones of a draft share the generated object.
     Planned(Generator, Seed, Rc<OnceCell<Arc<Object>>>),
+    /// A unit of a fitted kitchen, with the seeds of the kitchen and its own.
+    Fitted(Unit, (Seed, Seed)),
 }
 
 impl Draft {
@@ -35,6 +38,11 @@ impl Draft {
     /// A draft of the class's usual size.
     pub(crate) fn usual(generator: &Generator, seed: Seed) -> Self {
         Self::sized(generator, generator.usual_size(seed), seed)
+    }
+
+    /// A draft of a fitted unit of exactly that size, by the seeds of the kitchen and of the unit.
+    pub(crate) fn fitted(unit: Unit, role: ObjectRole, size: Vector3<f32>, seeds: (Seed, Seed)) -> Self {
+        Self { class: unit.purpose.class(), role, size, source: Source::Fitted(unit, seeds) }
     }
 
     /// A draft of an existing object.
@@ -62,6 +70,7 @@ impl Draft {
         match self.source {
             Source::Made(object) => Arc::unwrap_or_clone(object),
             Source::Planned(generator, seed, _) => generator.sized(self.size, style, seed),
+            Source::Fitted(unit, seeds) => unit.object(self.size, style, seeds),
         }
     }
 
@@ -69,6 +78,7 @@ impl Draft {
     pub(crate) fn object(&self, style: &Style) -> Arc<Object> {
         match &self.source {
             Source::Made(object) => object.clone(),
+            Source::Fitted(unit, seeds) => Arc::new(unit.object(self.size, style, *seeds)),
             Source::Planned(generator, seed, made) => {
                 made.get_or_init(|| Arc::new(generator.sized(self.size, style, *seed))).clone()
             }

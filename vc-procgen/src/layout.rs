@@ -96,7 +96,8 @@ impl Layout {
             return Err(SpecificationError::NoPlan { rooms: programme.wishes.len(), area: programme.area() });
         }
         let household = specification.household(&plan, &style, seed);
-        let (mut furniture, mut drafts) = furnish::furnish(&plan, (&style, generators), household.as_ref(), own)?;
+        let (mut furniture, mut drafts) =
+            furnish::furnish(&plan, (&style, generators), (household.as_ref(), specification.fitted_kitchens), own)?;
         clear_ways(&plan, &mut furniture, &mut drafts)?;
         Ok((Self { plan, style, furniture }, drafts))
     }

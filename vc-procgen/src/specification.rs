@@ -40,6 +40,8 @@ pub struct Specification {
     pub clutter: Option<f32>,
     /// The table by which rooms are dressed; without one, small things lie where the class table keeps them.
     pub dressing: Option<Dressing>,
+    /// Whether kitchens are fitted where there is space: units made to measure, of one design, along up to three walls. Not by default.
+    pub fitted_kitchens: bool,
 }
 
 impl Specification {

@@ -258,6 +258,7 @@ fn wishes() -> impl Strategy<Value = Specification> {
         clutter: m.1,
         style: None,
         dressing: None,
+        fitted_kitchens: false,
     })
 }
 

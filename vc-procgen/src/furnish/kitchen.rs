@@ -1,4 +1,4 @@
-//! Kitchens: a run of units along one or two walls, wall cabinets above it, a table if it fits.
+//! Kitchens: fitted ones, or a run of single units along one or two walls, wall cabinets above it; a table if it fits.
 
 use super::Furnisher;
 use super::place::{Need, Spot};
@@ -28,6 +28,20 @@ const fn unit(class: &'static str, widths: &'static [f32], required: bool) -> Un
 }
 
 pub(super) fn furnish(s: &mut Furnisher<'_>) -> Result<(), SpecificationError> {
+    if !s.fitted_kitchens || !super::fitted::furnish(s) {
+        standing(s)?;
+    }
+    if s.kind() == RoomKind::Kitchen {
+        if s.space.square_metres > 9.0 && s.rng.chance(0.6) {
+            super::living::dining(s, 2);
+        }
+        s.first_against("trash_can", &[[0.3, 0.3, 0.6]], Need::default(), |_, spot| (0.4 - spot.corner).max(0.0));
+    }
+    Ok(())
+}
+
+/// Furnishes a kitchen with units that stand by themselves.
+fn standing(s: &mut Furnisher<'_>) -> Result<(), SpecificationError> {
     let large = s.space.square_metres > 7.5 && s.kind() == RoomKind::Kitchen;
     let fridge = Unit { class: "fridge", widths: &[0.7, 0.6], height: s.rng.between(1.6, 1.95), required: true };
     let mut units =
@@ -51,12 +65,6 @@ pub(super) fn furnish(s: &mut Furnisher<'_>) -> Result<(), SpecificationError> {
     }
     let run = place_any(s, units)?;
     upper(s, &run);
-    if s.kind() == RoomKind::Kitchen {
-        if s.space.square_metres > 9.0 && s.rng.chance(0.6) {
-            super::living::dining(s, 2);
-        }
-        s.first_against("trash_can", &[[0.3, 0.3, 0.6]], Need::default(), |_, spot| (0.4 - spot.corner).max(0.0));
-    }
     Ok(())
 }
 

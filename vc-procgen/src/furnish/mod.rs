@@ -8,8 +8,11 @@
 mod bathroom;
 mod bedroom;
 mod dress;
+mod fitted;
 mod fixtures;
 mod kitchen;
+mod kitchen_plan;
+mod kitchen_walls;
 mod living;
 mod other;
 mod own;
@@ -64,7 +67,7 @@ impl Item {
 pub(crate) fn furnish(
     plan: &FloorPlan,
     made_by: (&Style, &Generators),
-    household: Option<&Household>,
+    (household, fitted_kitchens): (Option<&Household>, bool),
     seed: Seed,
 ) -> Result<(Vec<Item>, Vec<Draft>), SpecificationError> {
     let open_kitchen = plan.openings.iter().any(|o| {
@@ -82,6 +85,7 @@ pub(crate) fn furnish(
         let own = seed.child("furnish").nth(index as u64);
         let dealt = (0..DEALS).try_fold(None, |_, deal| {
             let mut furnisher = Furnisher::new(index, made_by, own.nth(deal), space.clone(), items.len());
+            furnisher.fitted_kitchens = fitted_kitchens;
             furnisher.rules = household.map_or_else(Vec::new, |h| h.rules(index, plan.rooms[index].kind).collect());
             match furnish_room(&mut furnisher, plan, open_kitchen) {
                 Ok(()) => ControlFlow::Break(furnisher),
@@ -165,6 +169,7 @@ struct Furnisher<'a> {
     made: u64,
     /// The rules of dressing of this room, each with its seed.
     rules: Vec<(&'a Rule, Seed)>,
+    fitted_kitchens: bool,
     /// The floor under door leaves, for what lies flat.
     leaves: Vec<Area>,
 }
@@ -190,6 +195,7 @@ impl<'a> Furnisher<'a> {
             drafts,
             made: 0,
             rules: Vec::new(),
+            fitted_kitchens: false,
             leaves: Vec::new(),
         }
     }

@@ -3,7 +3,7 @@
 
 use vc_graph::format::native;
 use vc_graph::{ClassTable, NodeId, SceneGraph, Seed};
-use vc_procgen::{Apartment, Dressing, DressingFault, Specification};
+use vc_procgen::{Apartment, Area, Dressing, DressingFault, Item, Specification};
 
 use crate::checker::{Finding, examine, report};
 use crate::{findings, number};
@@ -80,6 +80,45 @@ fn rooms_have_what_rooms_of_their_kind_have() {
         assert!(share(room, classes) >= 0.6, "{room}: {classes:?} in {:.2}", share(room, classes));
     }
     assert_eq!(share("kids_room", &["cookbook", "suit"]), 0.0);
+}
+
+/// The base units of fitted kitchens stand side by side or around a corner, none alone, and nothing is missing.
+#[test]
+fn kitchens_are_fitted() {
+    /// The greatest gap between units, metres.
+    const JOINT: f32 = 0.005;
+    let meet = |a: Area, b: Area| {
+        let grown = Area { x0: a.x0 - JOINT, y0: a.y0 - JOINT, x1: a.x1 + JOINT, y1: a.y1 + JOINT };
+        grown.overlaps(&b)
+    };
+    let (mut kitchens, mut fitted) = (0, 0);
+    for seed in 0..16 {
+        let dressing = (seed % 2 == 0).then(Dressing::builtin);
+        let wishes = Specification { dressing, fitted_kitchens: true, ..Specification::default() };
+        let home = Apartment::generate(&wishes, Seed(seed)).unwrap();
+        assert_eq!(home.check(), [], "seed {seed}");
+        for room in 0..home.plan.rooms.len() {
+            let here = home.items.iter().filter(|item| item.room == room);
+            let of = |classes: &[&str]| -> Vec<Area> {
+                here.clone().filter(|item| classes.contains(&item.object.class)).map(Item::area).collect()
+            };
+            kitchens += usize::from(!of(&["kitchen_sink"]).is_empty());
+            if of(&["backsplash"]).is_empty() {
+                continue;
+            }
+            fitted += 1;
+            let mut apart = of(&["kitchen_cabinet", "kitchen_sink", "dishwasher", "stove"]);
+            let mut run = vec![apart.remove(0)];
+            while let Some(at) = apart.iter().position(|unit| run.iter().any(|other| meet(*other, *unit))) {
+                run.push(apart.remove(at));
+            }
+            assert!(apart.is_empty(), "seed {seed}: {apart:?} stand apart from {run:?}");
+            for class in ["kitchen_cabinet", "kitchen_sink", "stove", "fridge", "extractor"] {
+                assert!(!of(&[class]).is_empty(), "seed {seed}: no {class}");
+            }
+        }
+    }
+    assert!(fitted * 4 >= kitchens * 3, "{fitted} of {kitchens} kitchens are fitted");
 }
 
 #[test]
