@@ -66,7 +66,7 @@ impl Walker {
 /// whatever the order in which they were added.
 ///
 /// The wish to go slower is a filter of the density ahead (Best, Narang, Curtis and Manocha, Symposium on Computer Animation 2014): of the
-/// others in a tent of three metres ahead, as far as it lies on the way, each sees a density, and takes the speed that Weidmann's relation
+/// others in a tent of four metres ahead, as far as it lies on the way, each sees a density, and takes the speed that Weidmann's relation
 /// gives for it. Reciprocal avoidance alone walks through dense crowds at full speed.
 ///
 /// ```
