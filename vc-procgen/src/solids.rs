@@ -10,7 +10,14 @@ use vc_shapes::{Build, Object};
 pub(crate) struct Solids {
     class: &'static str,
     boxes: Vec<(&'static str, [f32; 3], [f32; 3], MaterialId)>,
-    tops: Vec<(&'static str, (f32, f32), (f32, f32))>,
+    tops: Vec<Top>,
+}
+
+/// A surface at height zero: its middle and its half lengths.
+struct Top {
+    name: &'static str,
+    middle: (f32, f32),
+    half: (f32, f32),
 }
 
 impl Solids {
@@ -24,7 +31,7 @@ impl Solids {
 
     /// A surface for objects at height zero, by its middle and its half lengths.
     pub(crate) fn top(&mut self, name: &'static str, middle: (f32, f32), half: (f32, f32)) {
-        self.tops.push((name, middle, half));
+        self.tops.push(Top { name, middle, half });
     }
 
     /// The object and the centre of its base; `None` without boxes.
@@ -38,7 +45,7 @@ impl Solids {
             let local = |p: &[f32; 3]| [p[0] - at.x, p[1] - at.y, p[2] - at.z];
             build.block(name, local(low), local(high), *mat);
         }
-        for (name, (x, y), half) in &self.tops {
+        for Top { name, middle: (x, y), half } in &self.tops {
             build.top(name, [x - at.x, y - at.y, -at.z], *half);
         }
         let (asset, _) = build.finish();
