@@ -73,6 +73,7 @@ impl Wishes {
             style: None,
             clutter: self.clutter,
             dressing: None,
+            fitted_kitchens: false,
         };
         specification.check().map_err(Complaint::new)?;
         Ok(specification)
