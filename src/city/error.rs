@@ -3,8 +3,8 @@
 use std::fmt;
 use std::sync::Arc;
 
-use vc_graph::Label;
 use vc_graph::space::{RegionId, Space, SpaceError};
+use vc_graph::{Label, NodeId};
 
 use crate::environment::{MakeError, TravelError};
 use crate::{ActionError, Interruption, PhysicalRefusal};
@@ -52,6 +52,9 @@ pub enum CityError {
     /// The node is no agent of this city.
     #[error("{0} is no agent of this city: `agents` lists them")]
     NoSuchAgent(Label),
+    /// No region has a node of this number.
+    #[error("there is no {0} in this city: `region_of` tells where a node is")]
+    NoSuchThing(NodeId),
     /// There is no such region, or it is a group without a scene.
     #[error("{0} has no scene in this city")]
     NoScene(RegionLabel),

@@ -86,3 +86,6 @@ pub(super) const FAR: f32 = 60.0;
 pub(super) const MADE: usize = 24;
 /// The figures of how many agents are known to saves without being written: those of a household or two.
 pub(super) const FIGURES: usize = 8;
+/// The speed, in metres a second, beyond which something falls, and the greatest depth to which it may, metres.
+pub(super) const FALLS: f32 = 1.0;
+pub(super) const DEEPEST: f32 = 1000.0;

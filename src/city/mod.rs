@@ -13,6 +13,7 @@ mod door;
 mod doorway;
 mod dormant;
 mod error;
+mod fall;
 mod goal;
 mod heed;
 mod journey;

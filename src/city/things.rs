@@ -17,7 +17,7 @@ use super::{City, CityError};
 use crate::Environment;
 
 /// A portal as things of a region go through it.
-struct Gate {
+pub(super) struct Gate {
     from: RegionId,
     into: RegionId,
     /// The sides of both regions, in the frame of the first.
@@ -33,7 +33,7 @@ struct Gate {
 
 impl Gate {
     /// How far a point is over the line between both regions, metres, if it is behind this portal.
-    fn beyond(&self, at: &Point3<f32>) -> Option<f32> {
+    pub(super) fn beyond(&self, at: &Point3<f32>) -> Option<f32> {
         let (out, back) = (self.own.inverse_transform_point(at), self.across.inverse_transform_point(at));
         let over = (out.x - back.x) / 2.0;
         let (aside, lowest) = (self.width / 2.0 + ASIDE, -ASIDE);
@@ -71,10 +71,10 @@ impl City {
     /// ```
     ///
     /// # Errors
-    /// [`CityError::Bodies`]; [`CityError::NoScene`] and other reasons for which a region cannot be made.
+    /// [`CityError::NoSuchThing`], [`CityError::Bodies`]; [`CityError::NoScene`] and other reasons for which a region cannot be made.
     pub fn push(&mut self, thing: NodeId, impulse: Vector3<f32>, at: Point3<f32>) -> Result<(), CityError> {
+        let region = self.region_of(thing).ok_or(CityError::NoSuchThing(thing))?;
         self.write_down(thing, Order::Push(impulse.into(), at.into()));
-        let region = self.region_of(thing).unwrap_or(RegionId(u32::MAX));
         Ok(self.wake(region)?.push(thing, impulse, at)?)
     }
 
@@ -88,6 +88,7 @@ impl City {
                 reached.extend(self.draw_near(&gate));
                 self.send_over(&gate);
             }
+            self.fall_out(*region);
         }
         reached
     }
@@ -119,7 +120,7 @@ impl City {
         beyond.into_iter().for_each(|other| self.set_bars_to(other, |leads| leads == region));
     }
 
-    fn gates_of(&self, region: RegionId) -> Vec<Gate> {
+    pub(super) fn gates_of(&self, region: RegionId) -> Vec<Gate> {
         self.gates(region).filter_map(|(_, plan, side, across)| self.gate(plan, side, across)).collect()
     }
 
@@ -198,7 +199,7 @@ impl City {
     }
 
     /// Takes a thing, and what is on or in it, from region to region as it moves.
-    fn carry_over(
+    pub(super) fn carry_over(
         &mut self,
         thing: NodeId,
         (from, into): (RegionId, RegionId),
@@ -224,7 +225,7 @@ impl City {
 }
 
 /// The loose things of a region.
-fn loose(there: &Environment) -> impl Iterator<Item = NodeId> + '_ {
+pub(super) fn loose(there: &Environment) -> impl Iterator<Item = NodeId> + '_ {
     there.world().nodes().into_iter().filter(|id| there.world().role(*id) == Some(BodyRole::Loose))
 }
 

@@ -87,8 +87,12 @@ impl City {
         Ok(())
     }
 
-    /// Ends what an agent is doing, where it is; whoever is between two regions gets through first.
+    /// Ends what an agent is doing, where it is; whoever is between two regions gets through first. Nothing happens for a node
+    /// that is no [agent](Self::agents).
     pub fn interrupt(&mut self, agent: NodeId) {
+        if !self.agents.contains(&agent) {
+            return;
+        }
         self.write_down(agent, Order::Stop);
         match self.is_crossing(agent) {
             true => drop(self.set_out(agent, None, None)),

@@ -1,6 +1,7 @@
 //! Cities: agents who go from region to region, over stairs and by lift, with what they carry.
 
 mod doors;
+mod falls;
 mod obstructed;
 mod passing;
 mod saves;

@@ -136,7 +136,7 @@ impl PhysicsWorld {
         (!kept).then_some(place)
     }
 
-    /// Loose and stopped things that are outside every room, below the lowest floor, or in the ground below a
+    /// Loose and stopped things that are outside every room and over no ground around it, below the lowest floor, or in the ground below a
     /// floor; without rooms, those outside the bounding box of everything fixed. Hanging things are listed only
     /// if they are below all rooms, or more than five metres from each.
     ///

@@ -7,11 +7,8 @@ use vc_graph::{Aabb, Node, NodeId, Pose, SceneGraph};
 
 use crate::role::Roles;
 use crate::shapes::ShapeCache;
-use crate::world::PhysicsWorld;
+use crate::world::{HEADROOM, PhysicsWorld};
 use crate::{BodyRole, PhysicsError, convert, group};
-
-/// Things above what stands around are no higher, metres: a storey.
-const HEADROOM: f32 = 2.5;
 
 /// # What stands around
 impl PhysicsWorld {

@@ -11,7 +11,7 @@ use virtualcity::graph::{
     Action, Asset, AssetLibrary, Bounds, Draft, NodeId, Pose, Relation, SceneBuilder, SceneGraph, State, Verb,
 };
 use virtualcity::nalgebra::{Point3, Vector3};
-use virtualcity::{City, CityViolation, RegionScenes};
+use virtualcity::{City, CityError, CityViolation, RegionScenes};
 
 use super::side;
 
@@ -76,11 +76,11 @@ fn wood() -> Material {
     }
 }
 
-fn part(shape: Shape, at: [f32; 3]) -> Part {
+pub(super) fn part(shape: Shape, at: [f32; 3]) -> Part {
     Part { name: "part".into(), shape, material: 0, pose: Pose::translation(at[0], at[1], at[2]), joint: None }
 }
 
-fn asset(parts: Vec<Part>) -> Asset {
+pub(super) fn asset(parts: Vec<Part>) -> Asset {
     Asset { name: "thing".into(), parts, ..Asset::default() }
 }
 
@@ -402,4 +402,16 @@ fn what_falls_off_the_edge_is_listed() {
         city.validate().unwrap().iter().any(is_below)
     });
     assert!(listed && middle(&city, thing).z > -1.0, "{}", middle(&city, thing));
+}
+
+/// Numbers of nothing are told as such, and change nothing.
+#[test]
+fn what_is_nowhere_is_told() {
+    let mut city = city(false, &[], 1);
+    let (before, nobody) = (city.digest(), NodeId(4_000_000_000));
+    let pushed = city.push(nobody, Vector3::z(), Point3::origin()).unwrap_err();
+    assert!(matches!(pushed, CityError::NoSuchThing(id) if id == nobody), "{pushed}");
+    assert!(pushed.to_string().contains("4000000000"), "{pushed}");
+    city.interrupt(nobody);
+    assert_eq!(city.digest(), before);
 }

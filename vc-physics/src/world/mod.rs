@@ -5,12 +5,18 @@ mod read;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
+use nalgebra::Vector3;
 use rapier3d::dynamics::RigidBodyHandle;
-use vc_graph::{Aabb, NodeId, SceneGraph};
+use vc_graph::{Aabb, NodeId, ObjectRole, SceneGraph};
 
 use crate::engine::Engine;
 use crate::state::{Agent, Effector, Hand, Thing, Vehicle, Waters};
 use crate::{AgentError, PhysicsError, Settings};
+
+/// Things above the ground are no higher, metres: a storey.
+pub(crate) const HEADROOM: f32 = 2.5;
+/// How far the floor of a room may reach beyond the room's box, metres: into walls and doorways.
+const EDGE: f32 = 0.6;
 
 /// The bodies of a scene's nodes, and their time.
 ///
@@ -30,7 +36,7 @@ pub struct PhysicsWorld {
     pub(crate) waters: Waters,
     /// Moving parts with an active motor, in the order in which they were started.
     pub(crate) driven: Vec<(NodeId, usize)>,
-    /// Rooms and their bounding boxes.
+    /// Rooms and grounds, and the boxes in which things belong to them.
     pub(crate) rooms: Arc<[(NodeId, Aabb)]>,
     /// Height of the lowest fixed thing's bottom, metres.
     pub(crate) bottom: f32,
@@ -63,7 +69,16 @@ impl PhysicsWorld {
     }
 }
 
-/// Rooms and their bounding boxes.
+/// Rooms and their bounding boxes, and those of the space above floors that are larger: the ground around a building.
 pub(crate) fn rooms(graph: &SceneGraph) -> Arc<[(NodeId, Aabb)]> {
-    graph.rooms().iter().filter_map(|&id| Some((id, graph.node(id)?.aabb()?))).collect()
+    let aabb = |id: NodeId| Some((id, graph.node(id)?.aabb()?));
+    let rooms: Vec<(NodeId, Aabb)> = graph.rooms().iter().filter_map(|id| aabb(*id)).collect();
+    let floors = graph.of_role(ObjectRole::Floor).filter_map(|floor| aabb(floor.id()));
+    let is_larger = |(_, own): &(NodeId, Aabb)| {
+        let holds = |room: &Aabb| (0..2).all(|k| room.min[k] - EDGE <= own.min[k] && own.max[k] <= room.max[k] + EDGE);
+        !rooms.iter().any(|(_, room)| holds(room))
+    };
+    let above = |(id, own): (NodeId, Aabb)| (id, Aabb { max: own.max + Vector3::z() * HEADROOM, ..own });
+    let grounds: Vec<(NodeId, Aabb)> = floors.filter(is_larger).map(above).collect();
+    rooms.into_iter().chain(grounds).collect()
 }

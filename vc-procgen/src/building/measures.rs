@@ -70,3 +70,5 @@ pub(super) const CABIN_FRONT: f32 = 0.32;
 pub(super) const YARD: Area = Area { x0: -4.3, y0: -9.0, x1: 4.3, y1: 0.0 };
 /// The path through the yard.
 pub(super) const PATH: (f32, f32) = (-0.9, 0.9);
+/// How far the ground of a building reaches beyond its walls, metres.
+pub(super) const PLOT: f32 = 3.0;

@@ -8,7 +8,7 @@ use vc_graph::{Draft, SceneBuilder, SceneGraph};
 
 use super::error::BuildingError;
 use super::gallery::{self, Gallery};
-use super::measures::{CABIN, CLEAR, YARD};
+use super::measures::{CABIN, CLEAR, DECK, FLIGHT, LANDING, PLOT, YARD};
 use super::parts::Maker;
 use super::{Building, cabin, yard};
 use crate::apartment::Apartment;
@@ -80,8 +80,15 @@ impl Building {
             Part::Home(..) => Vec::new(),
             Part::Gallery(storey) => self.gallery(storey).items(&self.looks, maker),
             Part::Cabin => cabin::items(self.places.len(), &self.looks, maker),
-            Part::Yard => yard::items(maker),
+            Part::Yard => yard::items(&self.plot(), maker),
         }
+    }
+
+    /// The ground on which the building stands, with the yard.
+    pub(super) fn plot(&self) -> Area {
+        let homes = self.places.iter().flatten().flat_map(|place| place.outline.iter().copied());
+        let tower = Area { y1: DECK.y1 + FLIGHT + LANDING, ..DECK };
+        homes.chain([tower, YARD]).reduce(Area::around_both).unwrap_or(YARD).grown(PLOT)
     }
 
     fn shared(&self, part: Part) -> Shared {

@@ -1,4 +1,4 @@
-//! The yard: a path between lawns, hedges around it, benches, a tree and flowers.
+//! The yard: a path between lawns, hedges around it, benches, a tree and flowers; and the ground on which the building stands.
 
 use std::f32::consts::{FRAC_PI_2, PI};
 
@@ -6,6 +6,7 @@ use vc_shapes::material::{GRASS, GRAVEL};
 
 use super::measures::{PATH, SLAB, YARD};
 use super::parts::{Maker, block, floor, placed};
+use crate::area::Area;
 use crate::item::{Item, Support};
 
 /// The depth and height of hedges.
@@ -28,7 +29,7 @@ const THINGS: [(&str, f32, f32, f32); 9] = [
 const TREE: ([f32; 3], [f32; 3]) = ([2.3, -2.4, 0.0], [3.0, 3.0, 4.2]);
 
 /// The ground first, then all that stands on it.
-pub(super) fn items(maker: Maker<'_>) -> Vec<Item> {
+pub(super) fn items(plot: &Area, maker: Maker<'_>) -> Vec<Item> {
     let (y, z) = ((YARD.y0, YARD.y1), (-SLAB, 0.0));
     let ground =
         [block((YARD.x0, PATH.0), y, z, GRASS), block(PATH, y, z, GRAVEL), block((PATH.1, YARD.x1), y, z, GRASS)];
@@ -36,7 +37,9 @@ pub(super) fn items(maker: Maker<'_>) -> Vec<Item> {
         Some(placed(maker.usual(class, nth)?, [x, y, 0.0], yaw, Support::Floor))
     });
     let tree = maker.sized("fruit_tree", TREE.1).map(|tree| placed(tree, TREE.0, 0.0, Support::Floor));
-    floor(&ground, &[YARD]).into_iter().chain(hedges(maker)).chain(things).chain(tree).collect()
+    let below = floor(&[block((plot.x0, plot.x1), (plot.y0, plot.y1), (-2.0 * SLAB, -SLAB), GRAVEL)], &[]);
+    let ground = floor(&ground, &[YARD]).into_iter();
+    ground.chain(hedges(maker)).chain(things).chain(tree).chain(below).collect()
 }
 
 /// Hedges along three sides, two each.

@@ -79,10 +79,16 @@ impl Lighting {
         self.room_around(ahead).map_or_else(open, |room| room as u16)
     }
 
-    /// Whether there is open sky above a point before a face, beyond the wall that the face may be set in.
+    /// Whether there is open sky above a point before a face, beyond the wall that the face may be set in. Of homes above each
+    /// other, also one that is seen past the storey above.
     fn is_open(&self, at: [f32; 3], normal: [f32; 3]) -> bool {
         let from = three(|i| at[i] + 2.0 * AHEAD * normal[i]);
-        !self.tracer.blocked(&Ray { from, along: [0.0, 0.0, 1.0], end: 1e4 })
+        let sees_sky = |out: f32, up: f32| {
+            let along = three(|i| out * normal[i] + if i == 2 { up } else { 0.0 });
+            dot(along, along) > 0.1 && !self.tracer.blocked(&Ray { from, along: unit(along), end: 1e4 })
+        };
+        let aslant = || [(1.0, 1.0), (2.0, 1.0), (1.0, 0.0)].iter().any(|(out, up)| sees_sky(*out, *up));
+        sees_sky(0.0, 1.0) || (self.tracer.snapshot.is_joined && aslant())
     }
 
     /// The room that contains a point.
