@@ -25,9 +25,9 @@ use virtualcity::{City, RegionScenes, Viewpoint};
 #[global_allocator]
 static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
 
-/// Homes in the worlds, and the numbers of nodes of each. The smallest has all that is near: the home next door, which is made
-/// when somebody looks, and the one beyond, whose walls stand around it.
-const WORLDS: [u32; 4] = [3, 22, 220, 2200];
+/// Homes in the worlds, and the numbers of nodes of each. The smallest has all that is near: the two homes in sight, which are made
+/// when somebody looks, and the one beyond, whose walls stand around them.
+const WORLDS: [u32; 4] = [4, 22, 220, 2200];
 const NUMBERS: u32 = 4096;
 /// Rounds in which worlds take turns, and those with new worlds.
 const ROUNDS: usize = 9;
