@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use nalgebra::{Point3, UnitQuaternion, Vector3};
-use vc_graph::{Pose, State};
+use vc_graph::{Pose, Seed, State};
 use vc_shapes::object::Object;
 
 use crate::area::{Area, Facing};
@@ -66,6 +66,12 @@ impl Item {
     pub fn area(&self) -> Area {
         let (low, high) = self.corners();
         Area { x0: low.x, y0: low.y, x1: high.x, y1: high.y }
+    }
+
+    /// Its own seed, by class and place: what else a home has does not change it.
+    pub(crate) fn seed(&self, of: Seed) -> Seed {
+        let place = self.pose.translation.vector.map(|metres| u64::from(metres.to_bits()));
+        place.iter().fold(of.child(self.object.class), |seed, number| seed.nth(*number))
     }
 
     /// The direction of its front, if it is aligned with an axis.

@@ -61,7 +61,7 @@ impl Dresser<'_> {
             return;
         }
         for piece in self.pieces(&rule.things.classes) {
-            self.go_on(rule, seed.nth(piece as u64), piece);
+            self.go_on(rule, self.home.items[piece].seed(seed), piece);
         }
     }
 
@@ -96,7 +96,7 @@ impl Dresser<'_> {
         if each {
             for carrier in carriers {
                 if rng.chance(rule.chance) {
-                    self.put_all(rule, seed.nth(carrier as u64), &[carrier], &mut rng);
+                    self.put_all(rule, self.home.items[carrier].seed(seed), &[carrier], &mut rng);
                 }
             }
         } else if rng.chance(rule.chance) {
@@ -123,8 +123,8 @@ impl Dresser<'_> {
 
     /// Applies the rules below a rule to a thing that it has put.
     fn go_on(&mut self, rule: &Rule, seed: Seed, item: usize) {
-        for (index, below) in rule.then.iter().enumerate() {
-            self.apply(below, seed.child("then").nth(index as u64), Some(item));
+        for below in &rule.then {
+            self.apply(below, below.seed(seed.child("then")), Some(item));
         }
     }
 

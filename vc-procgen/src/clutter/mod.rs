@@ -37,12 +37,16 @@ pub(crate) fn fill(
     let standing = standing(&home.items);
     let mut choices = Choices { habits: Habits::with(generators), known: HashMap::new() };
     let mut taken: Vec<Option<Taken>> = vec![None; home.items.len()];
-    let own = |index: usize| seed.child("clutter").nth(index as u64);
+    let own = |home: &Apartment, index: usize| match household {
+        Some(_) => home.items[index].seed(seed.child("clutter")),
+        None => seed.child("clutter").nth(index as u64),
+    };
     for &index in &carriers {
         let first = standing.partition_point(|s| s.carrier < index);
         let on_it = standing[first..].iter().take_while(|s| s.carrier == index);
         let on_it = on_it.map(|s| (s.surface, s.item));
-        let mut filler = SurfaceFiller::new(home, generators, index, own(index), on_it);
+        let seed = own(home, index);
+        let mut filler = SurfaceFiller::new(home, generators, index, seed, on_it);
         if household.is_some() {
             set::equip(&mut filler);
             taken[index] = Some(filler.into_taken());
@@ -55,7 +59,7 @@ pub(crate) fn fill(
     dress::dress(home, generators, household, &mut taken);
     for index in carriers {
         let on_it = taken[index].take().unwrap_or_default();
-        let seed = own(index).child("habits");
+        let seed = own(home, index).child("habits");
         let mut filler = SurfaceFiller::resume(home, generators, index, seed, on_it).by_habit();
         (0..filler.surfaces()).for_each(|surface| fill_surface(&mut filler, surface, &mut choices, amount));
     }

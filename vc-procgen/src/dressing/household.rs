@@ -43,16 +43,14 @@ impl Household {
     /// The rules that apply to a room, each with a seed of its own.
     pub(crate) fn rules(&self, room: usize, kind: RoomKind) -> impl Iterator<Item = (&Rule, Seed)> {
         let seed = self.seed.nth(room as u64);
-        let rules = self.dressing.0.rules.iter().enumerate();
         let one_room = kind == RoomKind::Living && self.traits & 1 << STUDIO != 0;
         let kinds: &[RoomKind] = match (one_room, &kind) {
             (true, _) => &[RoomKind::Living, RoomKind::Kitchen, RoomKind::Bedroom],
             (false, kind) => std::slice::from_ref(kind),
         };
         let bits = kinds.iter().fold(0, |all, kind| all | bit(*kind));
-        rules
-            .filter(move |(_, rule)| rule.rooms & bits != 0 && self.is_met(rule))
-            .map(move |(index, rule)| (rule, seed.nth(index as u64)))
+        let rules = self.dressing.0.rules.iter();
+        rules.filter(move |rule| rule.rooms & bits != 0 && self.is_met(rule)).map(move |rule| (rule, rule.seed(seed)))
     }
 
     /// Whether the household has the traits that a rule needs.

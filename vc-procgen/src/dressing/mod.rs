@@ -92,7 +92,8 @@ impl Dressing {
         read::table(Table::default(), (file, text), classes).map(|table| Self(Arc::new(table)))
     }
 
-    /// This table and the lines of another text, which may use its traits and lists.
+    /// This table and the lines of another text, which may use its traits and lists. A rule draws by its own words, so that
+    /// the other things of a home stay as they were, except where they have no space any more.
     ///
     /// ```
     /// use vc_procgen::Dressing;

@@ -89,14 +89,14 @@ impl Reader<'_> {
             return Err(Fault::NoRoom);
         }
         let (chance, when) = self.when(when)?;
-        let things = self.counted(things)?;
-        let place = self.place(place)?;
-        let rule = Rule { chance, when, rooms: self.rooms, things, place, then: Vec::new() };
+        let words = format!("{things} | {place}").split_whitespace().collect::<Vec<_>>().join(" ");
+        let (things, place) = (self.counted(things)?, self.place(place)?);
+        let rule = Rule { chance, when, rooms: self.rooms, things, place, words: (words, 0), then: Vec::new() };
         self.add(rule, spaces)
     }
 
     /// Adds a rule below the one it is about.
-    fn add(&mut self, rule: Rule, spaces: usize) -> Result<(), Fault> {
+    fn add(&mut self, mut rule: Rule, spaces: usize) -> Result<(), Fault> {
         let is_it = matches!(
             &rule.place,
             Place::On { anchor: Anchor::It, .. }
@@ -121,6 +121,8 @@ impl Reader<'_> {
         if !spaces.is_multiple_of(2) {
             return Err(Fault::Orphan);
         }
+        let alike = rules.iter().filter(|other| other.rooms & rule.rooms != 0 && other.words.0 == rule.words.0);
+        rule.words.1 = alike.count() as u64;
         rules.push(rule);
         Ok(())
     }

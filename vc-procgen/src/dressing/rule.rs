@@ -2,6 +2,8 @@
 
 use std::sync::Arc;
 
+use vc_graph::Seed;
+
 use crate::plan::RoomKind;
 
 /// A whole table.
@@ -42,6 +44,8 @@ pub(crate) struct Rule {
     pub(super) rooms: u16,
     pub(crate) things: Things,
     pub(crate) place: Place,
+    /// The words of its things and place, and how many rules of the same words stand before it: by these it draws.
+    pub(super) words: (String, u64),
     /// The rules about each thing that this one places.
     pub(crate) then: Vec<Rule>,
 }
@@ -112,6 +116,11 @@ impl Place {
 }
 
 impl Rule {
+    /// Its own seed: rules that are added to a table leave the others their draws.
+    pub(crate) fn seed(&self, of: Seed) -> Seed {
+        of.child(&self.words.0).nth(self.words.1)
+    }
+
     /// The classes of its things, and of those of the rules below it.
     pub(super) fn classes(&self) -> Vec<&str> {
         let own = self.things.classes.iter().map(|class| &**class);

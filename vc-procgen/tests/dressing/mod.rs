@@ -160,6 +160,26 @@ fn lines_are_added_to_a_table() {
     assert!(globes > before, "{globes} and {before}");
 }
 
+/// One more line in the middle of a table adds its things, and all others are where they were.
+#[test]
+fn a_line_leaves_the_things_of_others_as_they_were() {
+    let before = "[living_room]\n0.5 | 1-3 novel/magazine | on coffee_table\n";
+    let after = "0.5 | 1-2 mug/cup | on sideboard\n  0.5 | spoon | beside it\n[bedroom]\n0.5 | 1-4 cushion | on bed\n\
+                 0.5 | 1-3 painting | at 1.4\n[kitchen]\n0.5 | kettle/toaster | back on kitchen_cabinet\n";
+    let more = "1 | bird_house | on dining_chair\n0.9 | bird_house | floor\n";
+    let things = |text: &str, seed| {
+        let home = dressed(parsed(text), seed);
+        let others = home.items.into_iter().filter(|item| !["clothes_pile", "bird_house"].contains(&item.object.class));
+        let told = others.map(|item| format!("{} {:?} {:?}", item.object.class, item.pose, item.object.size()));
+        told.collect::<Vec<_>>()
+    };
+    for seed in 0..8 {
+        assert_eq!(things(&format!("{before}{after}"), seed), things(&format!("{before}{more}{after}"), seed), "{seed}");
+    }
+    let birds = |seed| dressed(parsed(&format!("{before}{more}{after}")), seed).scene().of_class("bird_house").len();
+    assert!((0..8).map(birds).sum::<usize>() > 0);
+}
+
 #[test]
 fn broken_lines_are_told_with_their_number() {
     let broken = [
