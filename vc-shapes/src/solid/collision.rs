@@ -1,11 +1,11 @@
 //! Simplified collision shapes: a small object that holds no others is a single convex body for physics,
 //! however many buttons and seams are visible on it, and so is an object that hangs flat on a wall.
 
-use nalgebra::{Point3, Vector3};
+use nalgebra::{Point3, UnitQuaternion, Vector3};
 use vc_graph::asset::{Joint, Part, Shape};
 use vc_graph::{Asset, Pose};
 
-use super::flush::extent;
+use super::flush::{Corners, extent};
 use crate::facts::ClassFacts;
 
 /// The number of costly parts from which a hull pays off.
@@ -101,16 +101,14 @@ impl<'a> Link<'a> {
         if flat || self.parts.iter().any(|p| is_upright_box(p)) {
             let (low, high) = extent(&self.parts)?;
             if flat || self.fills(low, high) {
-                let pose = Pose::from_parts(nalgebra::center(&low, &high).into(), nalgebra::UnitQuaternion::identity());
+                let pose = Pose::from_parts(nalgebra::center(&low, &high).into(), UnitQuaternion::identity());
                 return Some((Shape::Box { half: (high - low) / 2.0 }, pose));
             }
         }
         if self.parts.iter().filter(|p| is_costly(p)).count() < PARTS {
             return None;
         }
-        let mut points = Points::default();
-        self.parts.iter().for_each(|part| points.extend_by(part));
-        Some((Shape::Hull { points: outermost(&points) }, Pose::identity()))
+        Some((Shape::Hull { points: outermost(&self.parts) }, Pose::identity()))
     }
 
     /// Whether parts that are boxes fill the bounding box of all.
@@ -129,7 +127,7 @@ impl<'a> Link<'a> {
 
 fn is_upright_box(part: &Part) -> bool {
     let is_box = matches!(part.shape, Shape::Box { .. } | Shape::RoundedBox { .. });
-    is_box && part.pose.rotation == nalgebra::UnitQuaternion::identity()
+    is_box && part.pose.rotation == UnitQuaternion::identity()
 }
 
 /// Whether it needs convex hulls, or decomposition into many pieces.
@@ -146,19 +144,23 @@ fn is_costly(part: &Part) -> bool {
 struct Points([Vec<f32>; 3]);
 
 impl Points {
-    /// Adds points of a part's surface in the asset's frame, including the outermost ones.
-    fn extend_by(&mut self, part: &Part) {
+    /// Points of a part's surface in the asset's frame, including the outermost ones.
+    fn of(part: &Part) -> Self {
         match &part.shape {
-            Shape::Mesh { vertices: all, .. } | Shape::Hull { points: all } => self.extend(part, all),
-            round => self.extend(part, &round.mesh(COARSE).positions),
+            Shape::Mesh { vertices: all, .. } | Shape::Hull { points: all } => Self::posed(part, all),
+            round => Self::posed(part, &round.mesh(COARSE).positions),
         }
     }
 
-    fn extend(&mut self, part: &Part, all: &[Point3<f32>]) {
-        self.0.iter_mut().for_each(|axis| axis.reserve(all.len()));
-        for point in all {
-            self.push(part.pose * point);
+    fn posed(part: &Part, all: &[Point3<f32>]) -> Self {
+        let (turn, shift) = (part.pose.rotation, part.pose.translation.vector);
+        // Most parts are not turned.
+        if turn == UnitQuaternion::identity() {
+            return Self([0, 1, 2].map(|axis| all.iter().map(|point| point[axis] + shift[axis]).collect()));
         }
+        let mut points = Self([0, 1, 2].map(|_| Vec::with_capacity(all.len())));
+        all.iter().for_each(|point| points.push(part.pose * point));
+        points
     }
 
     fn push(&mut self, point: Point3<f32>) {
@@ -169,8 +171,8 @@ impl Points {
         Point3::from(self.0.each_ref().map(|axis| axis[i]))
     }
 
-    /// The first of the points that are farthest in a direction.
-    fn farthest(&self, way: &Vector3<f32>) -> Option<Point3<f32>> {
+    /// How far the farthest point in a direction is.
+    fn reach(&self, way: &Vector3<f32>) -> f32 {
         const LANES: usize = 8;
         let [x, y, z] = self.0.each_ref().map(Vec::as_slice);
         let far = |i: usize| x[i] * way.x + y[i] * way.y + z[i] * way.z;
@@ -183,28 +185,97 @@ impl Points {
             }
         }
         let rest = (x.len() / LANES * LANES..x.len()).map(far);
-        let most = most.into_iter().chain(rest).fold(f32::NEG_INFINITY, more);
-        (0..x.len()).find(|&i| far(i) == most).map(|i| self.at(i))
+        most.into_iter().chain(rest).fold(f32::NEG_INFINITY, more)
+    }
+
+    /// The first of the points that are that far in a direction.
+    fn first(&self, way: &Vector3<f32>, reach: f32) -> Option<Point3<f32>> {
+        let [x, y, z] = self.0.each_ref().map(Vec::as_slice);
+        let far = |i: usize| x[i] * way.x + y[i] * way.y + z[i] * way.z;
+        (0..x.len()).find(|&i| far(i) == reach).map(|i| self.at(i))
+    }
+
+    /// The least and the greatest height.
+    fn heights(&self) -> [f32; 2] {
+        let [low, high] = [-1.0, 1.0].map(|up| self.0[2].iter().map(|z| up * z).fold(f32::NEG_INFINITY, f32::max));
+        [-low, high]
     }
 }
 
-/// The points farthest along the axes and their diagonals, and those around a level base and a level top.
-fn outermost(points: &Points) -> Vec<Point3<f32>> {
-    let steps = || [-1.0_f32, 0.0, 1.0].into_iter();
-    let around = steps().flat_map(|x| steps().map(move |y| Vector3::new(x, y, 0.0)));
-    let around: Vec<Vector3<f32>> = around.filter(|way| *way != Vector3::zeros()).collect();
-    let slanted = around.iter().flat_map(|way| [-1.0, 1.0].map(|z| way + Vector3::z() * z));
-    let ways = around.iter().copied().chain(slanted.filter(|way| way.x * way.y != 0.0));
-    let mut found: Vec<Point3<f32>> = ways.filter_map(|way| points.farthest(&way)).collect();
-    for up in [-1.0, 1.0] {
-        let heights = &points.0[2];
-        let most = heights.iter().map(|z| up * z).fold(f32::NEG_INFINITY, f32::max);
+/// The horizontal ways along the axes and their diagonals.
+fn around() -> [Vector3<f32>; 8] {
+    let ways = [(-1, -1), (-1, 0), (-1, 1), (0, -1), (0, 1), (1, -1), (1, 0), (1, 1)];
+    ways.map(|(x, y)| Vector3::new(x as f32, y as f32, 0.0))
+}
+
+/// The points of parts farthest along the axes and their diagonals, and those around a level base and a level top.
+///
+/// The largest parts come first: the points of one that lies within what is reached so far are not made.
+fn outermost(parts: &[&Part]) -> Vec<Point3<f32>> {
+    let slanted = around().into_iter().flat_map(|way| [-1.0, 1.0].map(|z| way + Vector3::z() * z));
+    let ways: Vec<Vector3<f32>> = around().into_iter().chain(slanted.filter(|way| way.x * way.y != 0.0)).collect();
+    let boxes: Vec<Corners> = parts.iter().filter_map(|part| extent(&[*part])).collect();
+    let mut order: Vec<usize> = (0..boxes.len()).collect();
+    order.sort_by(|&a, &b| (boxes[b].1 - boxes[b].0).norm().total_cmp(&(boxes[a].1 - boxes[a].0).norm()));
+    let mut reached = Reached { far: vec![f32::NEG_INFINITY; ways.len()], heights: [f32::INFINITY, f32::NEG_INFINITY] };
+    let mut outer: Vec<Outer> = Vec::with_capacity(boxes.len());
+    for index in order {
+        if !reached.holds(&ways, &boxes[index]) {
+            let points = Points::of(parts[index]);
+            let far = reached.add(&ways, &points);
+            outer.push(Outer { index, points, far });
+        }
+    }
+    // Of points equally far that of the first part counts.
+    outer.sort_unstable_by_key(|part| part.index);
+    let first = |(k, far)| outer.iter().find(|part| part.far[k] == far)?.points.first(&ways[k], far);
+    let mut found: Vec<Point3<f32>> = reached.far.iter().copied().enumerate().filter_map(first).collect();
+    for (up, height) in [-1.0, 1.0].into_iter().zip(reached.heights) {
         let mut level = Points::default();
-        let near = (0..heights.len()).filter(|&i| up * heights[i] > most - LEVEL).map(|i| points.at(i));
-        near.for_each(|p| level.push(Point3::new(p.x, p.y, up * most)));
-        found.extend(around.iter().filter_map(|way| level.farthest(way)));
+        for Outer { points, .. } in &outer {
+            let heights = points.0[2].iter().enumerate();
+            let near = heights.filter(|(_, z)| up * **z > up * height - LEVEL).map(|(i, _)| points.at(i));
+            near.for_each(|p| level.push(Point3::new(p.x, p.y, height)));
+        }
+        found.extend(around().iter().filter_map(|way| level.first(way, level.reach(way))));
     }
     found.sort_unstable_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)).then(a.z.total_cmp(&b.z)));
     found.dedup();
     found
+}
+
+/// A part that may be outermost somewhere: its place in the list, its points, and how far it reaches along each way.
+struct Outer {
+    index: usize,
+    points: Points,
+    far: Vec<f32>,
+}
+
+/// How far some parts reach: along each way, and down and up.
+struct Reached {
+    far: Vec<f32>,
+    heights: [f32; 2],
+}
+
+impl Reached {
+    /// Whether a part in a box adds nothing.
+    fn holds(&self, ways: &[Vector3<f32>], (low, high): &Corners) -> bool {
+        /// What rounding may add, metres.
+        const SLACK: f32 = 1e-5;
+        let (middle, half) = (nalgebra::center(low, high).coords, (high - low) / 2.0);
+        let level = low.z > self.heights[0] + LEVEL + SLACK && high.z < self.heights[1] - LEVEL - SLACK;
+        let within = |(way, far): (&Vector3<f32>, &f32)| middle.dot(way) + half.dot(&way.abs()) < far - SLACK;
+        level && ways.iter().zip(&self.far).all(within)
+    }
+
+    /// Adds a part; returns how far it reaches along each way.
+    fn add(&mut self, ways: &[Vector3<f32>], points: &Points) -> Vec<f32> {
+        let own: Vec<f32> = ways.iter().map(|way| points.reach(way)).collect();
+        self.far.iter_mut().zip(&own).for_each(|(far, own)| *far = far.max(*own));
+        if !points.0[0].is_empty() {
+            let [low, high] = points.heights();
+            self.heights = [self.heights[0].min(low), self.heights[1].max(high)];
+        }
+        own
+    }
 }
