@@ -12,6 +12,7 @@ use crate::reach::Reach;
 use crate::violation::{ApartmentViolation, ItemLabel};
 
 use overlap::collisions;
+pub(crate) use overlap::{carries, shares_space};
 
 impl Apartment {
     /// Lists every violation; an apartment returned by [`Apartment::generate`] has none. If an edit has left a

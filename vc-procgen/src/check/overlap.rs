@@ -1,8 +1,8 @@
 //! Finds overlapping items by testing the boxes of their parts.
 
 use nalgebra::{Isometry3, Point3, Vector3};
-use vc_graph::Pose;
 use vc_graph::asset::Part;
+use vc_graph::{Aabb, Pose};
 
 use crate::item::{Item, Support};
 
@@ -44,8 +44,15 @@ pub(super) fn related(items: &[Item], a: usize, b: usize) -> bool {
     built || carries(items, a, b) || carries(items, b, a)
 }
 
+/// Whether an upright box overlaps a part of an item.
+pub(crate) fn shares_space(place: &Aabb, item: &Item) -> bool {
+    let middle = nalgebra::center(&place.min, &place.max);
+    let half = ((place.max - place.min) / 2.0).map(|h| (h - TOUCH / 2.0).max(h * 0.5));
+    share_space(&[Cuboid { pose: Isometry3::from(middle.coords), half }], item)
+}
+
 /// Whether one item supports another, directly or indirectly.
-fn carries(items: &[Item], carrier: usize, mut item: usize) -> bool {
+pub(crate) fn carries(items: &[Item], carrier: usize, mut item: usize) -> bool {
     while let Support::On(at, _) | Support::Inside(at, _) = items[item].support {
         if at == carrier {
             return true;

@@ -11,6 +11,7 @@ use vc_shapes::Generators;
 
 use super::set;
 use super::surface_filler::{SurfaceFiller, Taken};
+use super::surroundings::Surroundings;
 use crate::apartment::Apartment;
 use crate::area::Area;
 use crate::draft::Draft;
@@ -27,12 +28,12 @@ pub(super) fn dress(
     home: &mut Apartment,
     generators: &Generators,
     household: &Household,
-    taken: &mut Vec<Option<Taken>>,
+    (taken, surroundings): (&mut Vec<Option<Taken>>, &mut Surroundings),
 ) {
     for room in 0..home.plan.rooms.len() {
         let kind = home.plan.rooms[room].kind;
         let here = (0..home.items.len()).filter(|&i| home.items[i].room == room).collect::<Vec<_>>();
-        let mut dresser = Dresser { home, generators, household, taken, here: BTreeMap::new() };
+        let mut dresser = Dresser { home, generators, household, taken, surroundings, here: BTreeMap::new() };
         here.into_iter().for_each(|item| dresser.note(item));
         for (rule, seed) in household.rules(room, kind) {
             if rule.place.is_furniture() {
@@ -50,6 +51,7 @@ struct Dresser<'a> {
     generators: &'a Generators,
     household: &'a Household,
     taken: &'a mut Vec<Option<Taken>>,
+    surroundings: &'a mut Surroundings,
     /// The items of the room by class.
     here: BTreeMap<&'static str, Vec<usize>>,
 }
@@ -203,7 +205,8 @@ impl Dresser<'_> {
         self.taken.resize(room, None);
         let surfaces = self.home.items[carrier].object.asset.surfaces.len();
         let taken = self.taken[carrier].take().unwrap_or_else(|| vec![Vec::new(); surfaces]);
-        let mut filler = SurfaceFiller::resume(self.home, self.generators, carrier, seed, taken);
+        let filler = SurfaceFiller::resume(self.home, self.generators, carrier, seed, taken);
+        let mut filler = filler.among(self.surroundings);
         let done = work(&mut filler);
         self.taken[carrier] = Some(filler.into_taken());
         done

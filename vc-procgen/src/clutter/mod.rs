@@ -9,6 +9,7 @@ mod dress;
 mod habits;
 mod set;
 mod surface_filler;
+mod surroundings;
 
 use std::borrow::Cow;
 use std::collections::HashMap;
@@ -23,6 +24,7 @@ use crate::dressing::Household;
 use crate::item::{Item, Support};
 use habits::{Choice, Habits, Place};
 use surface_filler::{SurfaceFiller, Taken};
+use surroundings::Surroundings;
 
 /// Fills an apartment; `amount` ranges from 0 (only the objects that furniture needs) to 1. With a household the lines of
 /// its table come before the habits.
@@ -56,11 +58,13 @@ pub(crate) fn fill(
         }
     }
     let Some(household) = household else { return };
-    dress::dress(home, generators, household, &mut taken);
+    let mut surroundings = Surroundings::new(home);
+    dress::dress(home, generators, household, (&mut taken, &mut surroundings));
     for index in carriers {
         let on_it = taken[index].take().unwrap_or_default();
         let seed = own(home, index).child("habits");
-        let mut filler = SurfaceFiller::resume(home, generators, index, seed, on_it).by_habit();
+        let filler = SurfaceFiller::resume(home, generators, index, seed, on_it).by_habit();
+        let mut filler = filler.among(&mut surroundings);
         (0..filler.surfaces()).for_each(|surface| fill_surface(&mut filler, surface, &mut choices, amount));
     }
 }

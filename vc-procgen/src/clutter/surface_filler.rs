@@ -2,13 +2,14 @@
 
 use std::sync::Arc;
 
-use nalgebra::Translation3;
+use nalgebra::{Point3, Translation3, Vector3};
 use vc_graph::asset::{Hold, Surface};
 use vc_graph::portable::Portable;
-use vc_graph::{Pose, Property, Seed, State, Stream};
+use vc_graph::{Bounds, BoundsFrame, Pose, Property, Seed, State, Stream};
 use vc_shapes::{Generator, Generators, Object};
 
 use super::habits::studio_corner;
+use super::surroundings::{Near, Surroundings};
 use crate::apartment::Apartment;
 use crate::area::Area;
 use crate::draft::Draft;
@@ -40,6 +41,8 @@ pub(super) struct SurfaceFiller<'a> {
     taken: Taken,
     /// The number of positions sampled before an object is left out.
     tries: usize,
+    /// The things around it, in a dressed home.
+    around: Option<(&'a Surroundings, Near)>,
 }
 
 impl<'a> SurfaceFiller<'a> {
@@ -70,7 +73,28 @@ impl<'a> SurfaceFiller<'a> {
         seed: Seed,
         taken: Taken,
     ) -> Self {
-        Self { home, generators, carrier, rng: seed.stream(), seed, made: 0, taken, tries: MEANT }
+        Self { home, generators, carrier, rng: seed.stream(), seed, made: 0, taken, tries: MEANT, around: None }
+    }
+
+    /// Keeps things clear of others around the item, and within reach.
+    pub(super) fn among(mut self, surroundings: &'a mut Surroundings) -> Self {
+        let near = surroundings.near(self.home, self.carrier);
+        self.around = Some((surroundings, near));
+        self
+    }
+
+    /// Whether a box in the carrier's frame is clear of the things around, and within reach.
+    fn is_clear(&self, area: &Area, (low, high): (f32, f32)) -> bool {
+        let Some((surroundings, near)) = &self.around else { return true };
+        let carrier = &self.home.items[self.carrier];
+        let (centre, size) = (area.centre(), area.size());
+        let bounds = Bounds {
+            offset: Vector3::new(centre.0, centre.1, f32::midpoint(low, high)),
+            half: Vector3::new(size.0, size.1, high - low) / 2.0,
+            frame: BoundsFrame::Object,
+        };
+        let place = bounds.aabb(&carrier.pose);
+        near.is_clear(&self.home.items, &place) && surroundings.reaches(carrier.room, &place)
     }
 
     /// Tries fewer positions for what is kept here by habit.
@@ -238,6 +262,9 @@ impl<'a> SurfaceFiller<'a> {
         if tall || !edge.holds(&area) || self.taken[surface].iter().any(|t| t.overlaps(&area)) {
             return None;
         }
+        if !self.is_clear(&area.grown(-GAP / 2.0), (centre.z, centre.z + height)) {
+            return None;
+        }
         self.taken[surface].push(area);
         let local = |object: &Object| standing(object, at, centre.z + 0.001, yaw);
         let support = if hold == Hold::Inside {
@@ -260,11 +287,19 @@ impl<'a> SurfaceFiller<'a> {
     /// Whether things that a table puts into a hollow may look out of it: into a holder or a basket without a lid.
     fn is_open_above(&self, surface: usize) -> bool {
         let object = &self.home.items[self.carrier].object;
+        if self.tries != MEANT {
+            return false;
+        }
         let open = self.surface(surface).is_some_and(|s| {
             let top = s.centre.z + s.clearance.unwrap_or(0.0);
-            s.hold == Hold::Inside && top > object.bounds.offset.z + object.bounds.half.z - 0.03
+            let covers = |(low, high): (Point3<f32>, Point3<f32>)| {
+                low.z > s.centre.z && (0..2).all(|k| low[k] < s.centre[k] && s.centre[k] < high[k])
+            };
+            s.hold == Hold::Inside
+                && top > object.bounds.offset.z + object.bounds.half.z - 0.03
+                && !object.asset.parts.iter().any(|part| covers(part.extent()))
         });
-        self.tries == MEANT && open && object.asset.parts.iter().all(|part| part.joint.is_none())
+        open && object.asset.parts.iter().all(|part| part.joint.is_none())
     }
 
     /// Puts an object of which only the base needs the surface: the spout of a tap reaches over the
@@ -289,21 +324,24 @@ impl<'a> SurfaceFiller<'a> {
         let (point, drop) = self.surface(surface).map(|s| (s.centre, s.clearance.unwrap_or(2.0)))?;
         let size = object.size();
         let carrier = self.home.items[self.carrier].object.bounds;
-        // On a rod clothes hang side by side, their shoulders across it.
-        let (yaw, half) = match rod {
-            true => (std::f32::consts::FRAC_PI_2, (size.y / 2.0, size.x / 2.0)),
-            false => (0.0, (size.x / 2.0, size.y / 2.0)),
-        };
         let behind = carrier.offset.x - carrier.half.x;
-        let x = if rod { point.x } else { point.x.max(behind + half.0 + 0.002) };
-        let area = Area::around(x, point.y, half.0, half.1);
+        let off_wall = point.x.max(behind + size.x / 2.0 + 0.002);
+        let (yaw, (x, y)) = match rod {
+            // On a rod clothes hang side by side, their shoulders across it.
+            true => (std::f32::consts::FRAC_PI_2, (point.x, point.y)),
+            // Around a pole each hangs on its own side.
+            false if self.tries == MEANT && self.class() == "coat_rack" => outward(object, (point.x, point.y)),
+            false => (0.0, (off_wall, point.y)),
+        };
+        let half = if rod { (size.y / 2.0, size.x / 2.0) } else { extent(object, yaw) };
+        let area = Area::around(x, y, half.0, half.1);
         let met = self.taken.iter().flatten().any(|t| t.overlaps(&area));
         let within = !rod || (half.0 + 0.03 < carrier.half.x && point.y.abs() + half.1 + 0.02 < carrier.half.y);
-        if size.z > drop || met || !within {
+        if size.z > drop || met || !within || !self.is_clear(&area, (point.z - size.z, point.z)) {
             return None;
         }
         self.taken[surface].push(area);
-        let local = |object: &Object| standing(object, (x, point.y), point.z - object.size().z, yaw);
+        let local = |object: &Object| standing(object, (x, y), point.z - object.size().z, yaw);
         Some(self.add(object, local, Support::On(self.carrier, surface)))
     }
 
@@ -346,6 +384,15 @@ impl<'a> SurfaceFiller<'a> {
         object.bounds = vc_graph::Bounds::standing(aabb.max - aabb.min);
         Draft::from_object(Arc::new(object))
     }
+}
+
+/// The turn of an object on a hook at a point around a pole, and its centre: its back to the pole.
+fn outward(object: &Draft, (x, y): (f32, f32)) -> (f32, (f32, f32)) {
+    /// The distance of its back from the middle of the pole, metres.
+    const POLE: f32 = 0.03;
+    let out = x.hypotenuse(y).max(f32::MIN_POSITIVE);
+    let away = out.max(POLE + object.size().x / 2.0) / out;
+    (y.angle_to(x), (x * away, y * away))
 }
 
 /// The half extents along X and Y of an object rotated about Z.

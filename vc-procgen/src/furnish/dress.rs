@@ -2,19 +2,22 @@
 
 use std::sync::Arc;
 
-use vc_graph::{Property, Seed, Stream};
+use nalgebra::Point3;
+use vc_graph::{Aabb, Property, Seed, Stream};
 
 use super::Furnisher;
 use super::kitchen::side_behind;
 use super::place::Need;
 use super::space::Solid;
 use crate::area::{Area, Facing};
+use crate::check::shares_space;
 use crate::draft::Draft;
 use crate::dressing::{Place, Rule, WallAt};
-use crate::item::Support;
+use crate::item::{Item, Support};
 use crate::plan::{FloorPlan, OpeningKind, PlanOpening};
+use crate::reach::is_in_the_way;
 
-/// Pieces lower than this lie flat: one walks over them, metres.
+/// Pieces lower than this lie flat: they may be where space is kept free for other pieces, metres.
 const FLAT: f32 = 0.05;
 /// The places tried for a piece.
 const TRIES: usize = 24;
@@ -22,12 +25,16 @@ const TRIES: usize = 24;
 const SHALLOW: f32 = 0.2;
 /// A zone no farther than this from a piece is its own, metres.
 const BESIDE: f32 = 0.01;
+/// The space below a piece that things hang from, metres.
+const DROP: f32 = 0.46;
 /// The floor in front of a piece against a wall that stays free, metres.
 const FRONT: f32 = 0.45;
 
 /// Places the pieces of all rules of a furnished room.
 pub(super) fn dress(s: &mut Furnisher<'_>, plan: &FloorPlan) {
     s.leaves = leaves(plan, s.room);
+    let used = s.items.iter().filter_map(|item| in_use(s, item)).collect::<Vec<_>>();
+    s.space.solids.extend(used);
     for (rule, seed) in s.rules.clone() {
         let mut rng = seed.stream();
         let stands = rule.place.is_furniture() && !matches!(rule.place, Place::Instead(_));
@@ -46,6 +53,28 @@ pub(super) fn dress(s: &mut Furnisher<'_>, plan: &FloorPlan) {
                 break;
             }
         }
+    }
+}
+
+/// The space over a piece that its tap takes, or before a wall cabinet that its doors do.
+fn in_use(s: &Furnisher<'_>, item: &Item) -> Option<Solid> {
+    /// The width and the height of a tap, and the way of a door, metres.
+    const TAP: (f32, f32) = (0.12, 0.32);
+    const DOOR: f32 = 0.3;
+    let (low, high) = item.corners();
+    match item.object.class {
+        "washbasin" | "kitchen_sink" => {
+            let (x, y) = item.area().centre();
+            let (hx, hy) = (item.area().size().0 / 2.0, item.area().size().1 / 2.0);
+            let (hx, hy) = if item.facing().is_along_x() { (hx, TAP.0 / 2.0) } else { (TAP.0 / 2.0, hy) };
+            Some(Solid { area: Area::around(x, y, hx, hy), low: high.z, high: high.z + TAP.1 })
+        }
+        class if item.support == Support::Wall => {
+            let opens = s.generators.get(class).is_some_and(|generator| generator.affords(Property::Openable));
+            let area = item.facing().before(&item.area(), DOOR);
+            opens.then_some(Solid { area, low: low.z, high: high.z })
+        }
+        _ => None,
     }
 }
 
@@ -88,7 +117,7 @@ fn put(s: &mut Furnisher<'_>, plan: &FloorPlan, rule: &Rule, draft: &Draft, rng:
         Place::Before(classes) => each(s, classes).find_map(|(area, facing)| before(s, draft, &area, facing)),
         Place::BeforeEntrance => entrance(s, plan).and_then(|(area, facing)| before(s, draft, &area, facing)),
         Place::Next(classes) => each(s, classes).find_map(|(area, facing)| next(s, draft, &area, facing)),
-        Place::Wall { height, at } => on_wall(s, draft, *height, at, rng),
+        Place::Wall { height, at } => on_wall(s, draft, (*height, drop(rule)), at, rng),
         Place::Ceiling => on_ceiling(s, draft, rng),
         Place::CeilingBefore(classes) => each(s, classes).find_map(|(area, facing)| curtain(s, draft, &area, facing)),
         _ => None,
@@ -128,7 +157,9 @@ fn lay(
     let free = match size.z < FLAT {
         true => {
             let under_leaf = s.leaves.iter().any(|way| way.overlaps(&solid.area));
-            !under_leaf && s.space.is_floor(&solid.area) && s.space.is_empty(&solid)
+            let free = !under_leaf && s.space.is_floor(&solid.area) && s.space.is_empty(&solid);
+            let on_way = || s.space.ways.iter().any(|way| way.overlaps(&solid.area));
+            free && (!is_in_the_way((0.0, size.z)) || (!on_way() && s.space.stays_open(&solid)))
         }
         false => {
             let own = |zone: &Area| for_piece.is_some_and(|piece| zone.distance(piece) < BESIDE);
@@ -137,6 +168,9 @@ fn lay(
             !zoned && s.space.is_off_ways(&solid) && s.space.stays_open(&solid)
         }
     };
+    if free && opens(s, draft) {
+        s.space.zones.push(facing.before(&solid.area, FRONT));
+    }
     free.then(|| s.add(draft, centre, 0.0, facing, Support::Floor))
 }
 
@@ -191,29 +225,69 @@ fn next(s: &mut Furnisher<'_>, draft: &Draft, area: &Area, facing: Facing) -> Op
     })
 }
 
-fn on_wall(s: &mut Furnisher<'_>, draft: &Draft, z: f32, at: &WallAt, rng: &mut Stream) -> Option<usize> {
+/// The space below a piece that things will hang into, metres.
+fn drop(rule: &Rule) -> f32 {
+    let hangs = |below: &Rule| matches!(below.place, Place::Hang(_));
+    if rule.then.iter().any(hangs) { DROP } else { 0.0 }
+}
+
+/// A height on a wall, and the free space below it, metres.
+type Height = (f32, f32);
+
+fn on_wall(s: &mut Furnisher<'_>, draft: &Draft, z: Height, at: &WallAt, rng: &mut Stream) -> Option<usize> {
     match at {
         WallAt::Anywhere => (0..TRIES).find_map(|_| {
             let side = rng.below(s.space.sides.len().max(1));
             let wall = s.space.sides.get(side)?;
             let along = rng.between(wall.from, wall.to);
-            s.hang_within(draft, side, (along, z), (SHALLOW, None))
+            hang(s, draft, (side, along), z, None)
         }),
         WallAt::Over(classes) => each(s, classes).find_map(|(area, facing)| {
             let side = side_behind(s, &area, facing)?;
             let (x, y) = area.centre();
             let middle = if facing.is_along_x() { y } else { x };
-            [0.0, 0.25, -0.25, 0.5, -0.5]
-                .into_iter()
-                .find_map(|off| s.hang_within(draft, side, (middle + off, z), (SHALLOW, None)))
+            [0.0, 0.25, -0.25, 0.5, -0.5].into_iter().find_map(|off| hang(s, draft, (side, middle + off), z, None))
         }),
         WallAt::Near(classes) => each(s, classes).find_map(|(area, _)| near(s, draft, z, &area, None)),
-        WallAt::Within(classes) => each(s, classes).find_map(|(area, _)| near(s, draft, z, &area, Some(area))),
+        WallAt::Within(classes) => {
+            let named = |item: &Item| classes.iter().any(|class| **class == *item.object.class);
+            let pieces: Vec<usize> = (0..s.items.len()).filter(|&at| named(&s.items[at])).collect();
+            pieces.into_iter().find_map(|at| {
+                let area = s.items[at].area();
+                // Its fittings are known when it is made.
+                s.real(s.base + at);
+                near(s, draft, z, &area, Some((area, at)))
+            })
+        }
     }
 }
 
+/// The box of an open piece, and which of the items it is.
+type Open = (Area, usize);
+
+/// On a wall, if the place and what is below it are free; within the box of a piece if that is open.
+fn hang(
+    s: &mut Furnisher<'_>,
+    draft: &Draft,
+    (side, along): (usize, f32),
+    (z, drop): Height,
+    open: Option<Open>,
+) -> Option<usize> {
+    let (wall, size) = (&s.space.sides[side], draft.size());
+    let area = wall.facing.area(wall.point(along, 0.001), size.x, size.y);
+    let below = Solid { area, low: z - drop, high: z };
+    let around = open.map(|(area, _)| area);
+    let place = Aabb { min: Point3::new(area.x0, area.y0, z), max: Point3::new(area.x1, area.y1, z + size.z) };
+    if s.space.solids.iter().any(|solid| solid.hits(&below) && around != Some(solid.area))
+        || open.is_some_and(|(_, at)| shares_space(&place, &s.items[at]))
+    {
+        return None;
+    }
+    s.hang_within(draft, side, (along, z), (SHALLOW, around))
+}
+
 /// At the free place of a wall nearest to an area; within the box of the piece there if it is open.
-fn near(s: &mut Furnisher<'_>, draft: &Draft, z: f32, area: &Area, open: Option<Area>) -> Option<usize> {
+fn near(s: &mut Furnisher<'_>, draft: &Draft, z: Height, area: &Area, open: Option<Open>) -> Option<usize> {
     /// The distance between places, and the farthest one, metres.
     const STEP: f32 = 0.1;
     const FAR: f32 = 1.4;
@@ -228,7 +302,7 @@ fn near(s: &mut Furnisher<'_>, draft: &Draft, z: f32, area: &Area, open: Option<
     }
     places.retain(|place| place.0 < if open.is_some() { STEP } else { FAR });
     places.sort_by(|a, b| a.0.total_cmp(&b.0));
-    places.into_iter().find_map(|(_, side, along)| s.hang_within(draft, side, (along, z), (SHALLOW, open)))
+    places.into_iter().find_map(|(_, side, along)| hang(s, draft, (side, along), z, open))
 }
 
 fn on_ceiling(s: &mut Furnisher<'_>, draft: &Draft, rng: &mut Stream) -> Option<usize> {

@@ -174,7 +174,11 @@ fn a_line_leaves_the_things_of_others_as_they_were() {
         told.collect::<Vec<_>>()
     };
     for seed in 0..8 {
-        assert_eq!(things(&format!("{before}{after}"), seed), things(&format!("{before}{more}{after}"), seed), "{seed}");
+        assert_eq!(
+            things(&format!("{before}{after}"), seed),
+            things(&format!("{before}{more}{after}"), seed),
+            "{seed}"
+        );
     }
     let birds = |seed| dressed(parsed(&format!("{before}{more}{after}")), seed).scene().of_class("bird_house").len();
     assert!((0..8).map(birds).sum::<usize>() > 0);
