@@ -142,12 +142,11 @@ fn filled(s: &Furnisher<'_>, legs: &[Leg], fridge: Option<[f32; 3]>, washes: boo
     cookers.retain(|cooker| !cooker.window && (cooker.leg > 0 || cooker.from > begun));
     let mut found = Vec::new();
     for sink in sinks.into_iter().flatten() {
-        let rate = |cooker: &Fixed| Some((rated(&sink, cooker)? + 0.1 * (sink.to - sink.from), sink, *cooker));
+        let rate = |cooker: &Fixed| Some((rated(&sink, cooker)? + 0.1 * (sink.to - sink.from), (sink, *cooker)));
         found.extend(cookers.iter().filter_map(rate));
     }
-    found.sort_by(|a, b| b.0.total_cmp(&a.0));
     let length: f32 = legs.iter().map(Leg::length).sum();
-    let laid = found.into_iter().take(LOOKED_AT).filter_map(|(score, sink, cooker)| {
+    let laid = best(found, LOOKED_AT).into_iter().filter_map(|(score, (sink, cooker))| {
         let fixed: Vec<Fixed> = cold.into_iter().chain([sink, cooker]).collect();
         let mut bases = bases(s, legs, &fixed)?;
         let machines = bases.iter_mut().filter(|base| base.piece == Piece::Dishwasher);
@@ -157,6 +156,18 @@ fn filled(s: &Furnisher<'_>, legs: &[Leg], fridge: Option<[f32; 3]>, washes: boo
         are_free(s, &bases, high).then_some(Layout { bases, score })
     });
     laid.take(KEPT).collect()
+}
+
+/// The best of some things with scores, in order; of equal ones the first. Sorting thousands for a few takes long.
+fn best<T>(things: Vec<(f32, T)>, count: usize) -> Vec<(f32, T)> {
+    let mut rated: Vec<(usize, (f32, T))> = things.into_iter().enumerate().collect();
+    let better = |a: &(usize, (f32, T)), b: &(usize, (f32, T))| b.1.0.total_cmp(&a.1.0).then(a.0.cmp(&b.0));
+    if rated.len() > count {
+        rated.select_nth_unstable_by(count, better);
+        rated.truncate(count);
+    }
+    rated.sort_unstable_by(better);
+    rated.into_iter().map(|(_, thing)| thing).collect()
 }
 
 /// The places of a piece along a chain that leave space for a cabinet before and after it.
