@@ -105,6 +105,34 @@ impl Router {
         Self { map: map.clone(), mode, graph, ground }
     }
 
+    /// A router on foot for those who do not like to go along some edges of the walkable network: each seems longer by some seconds, infinity
+    /// where nobody goes if there is another way. These seconds are part of those of the routes. Costs as [`Self::new`].
+    ///
+    /// ```
+    /// # use vc_map::route::{Mode, Router};
+    /// # use vc_map::{Control, CrossSection, MapDraft, RoadClass, Strip, WalkKind};
+    /// # let mut draft = MapDraft::new("street", 48.1, 11.6);
+    /// # let ends = [[0.0, 0.0], [100.0, 0.0], [200.0, 0.0]].map(|at| draft.junction(at, Control::Priority));
+    /// # let side = vec![Strip::driving(3.0, 10.0), Strip::pavement(2.0)];
+    /// # for pair in ends.windows(2) {
+    /// #     let section = CrossSection { forward: side.clone(), backward: side.clone(), median: 0.0 };
+    /// #     draft.road(pair[0], pair[1], RoadClass::Residential, section);
+    /// # }
+    /// # let map = draft.build()?; // a street along X with pavements on both sides
+    /// // Those who would rather walk half a minute more than along the first pavement go along the other one.
+    /// let ends = [[10.0, -4.0], [190.0, -4.0]].map(|at| at.into());
+    /// let usual = Router::new(&map, Mode::Foot).route(&ends[0], &ends[1]).ok_or("no way")?;
+    /// let wet = map.pavement_near(&[150.0, -4.0].into(), 1.0).ok_or("no pavement")?.0;
+    /// let router = Router::on_foot(&map, |edge| if edge == wet { 30.0 } else { 0.0 });
+    /// let dry = router.route(&ends[0], &ends[1]).ok_or("no way")?;
+    /// assert!(usual.seconds < dry.seconds && dry.seconds <= usual.seconds + 30.0);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn on_foot(map: &StreetMap, longer: impl Fn(WalkEdgeId) -> f64) -> Self {
+        let (ground, graph) = network::walking(map, longer);
+        Self { map: map.clone(), mode: Mode::Foot, graph, ground }
+    }
+
     /// The fastest route from a point to a point, each at the nearest lane or pavement within 200 m. Where no way leads from
     /// lane to lane, because one leaves the map for example, it begins or ends on the other side of the road. `None` without a way.
     /// Costs a look at the roads between, and memory for each road of the map while it lasts.

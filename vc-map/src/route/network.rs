@@ -52,7 +52,7 @@ fn cost(seconds: f64) -> Cost {
 
 pub(super) fn network(map: &StreetMap, mode: Mode) -> (Ground, Graph) {
     match mode {
-        Mode::Foot => walking(map),
+        Mode::Foot => walking(map, |_| 0.0),
         Mode::Car => driving(map, Users::CAR),
         Mode::Bicycle => driving(map, Users::BICYCLE),
     }
@@ -118,11 +118,13 @@ fn half_red(map: &StreetMap, junction: crate::JunctionId, row: usize) -> f64 {
     })
 }
 
-fn walking(map: &StreetMap) -> (Ground, Graph) {
+/// The walkable network, of which some edges seem longer by some seconds.
+pub(super) fn walking(map: &StreetMap, longer: impl Fn(WalkEdgeId) -> f64) -> (Ground, Graph) {
     let edges = map.walk_edges();
     let costs: Vec<Cost> = edges
         .iter()
-        .map(|edge| {
+        .enumerate()
+        .map(|(number, edge)| {
             let pace = if edge.steps { STEPS } else { 1.0 };
             let wait = match edge.kind {
                 WalkKind::Crossing(id) => {
@@ -136,7 +138,7 @@ fn walking(map: &StreetMap) -> (Ground, Graph) {
                 }
                 _ => 0.0,
             };
-            cost(edge.line.length() * pace / WALKING + wait)
+            cost(edge.line.length() * pace / WALKING + wait + longer(WalkEdgeId::of(number)))
         })
         .collect();
     let ends: Vec<[u32; 2]> = edges.iter().map(|edge| edge.ends.map(|node| node.0)).collect();
