@@ -9,6 +9,8 @@ use crate::trip::{TrafficEvent, VehicleId};
 /// One that has stood for so long is told, seconds, and one that stands in the wrong lane for so long goes where it leads.
 pub(crate) const STUCK: f32 = 300.0;
 const WRONG: f32 = 20.0;
+/// One that finds no way to its destination is gone so far before the end of its lane, metres.
+const LOST: f32 = 6.0;
 /// Vehicles go sideways at this part of their speed, and at least and at most so fast, metres per second.
 const SIDEWAYS: f32 = 0.2;
 const SLOWEST: f32 = 0.25;
@@ -66,18 +68,20 @@ impl Traffic {
         let mut place = 0;
         while let Some(slot) = self.roads.queue[link as usize].get(place).copied() {
             let i = slot as usize;
-            let trip = &self.trips[self.fleet.trip[i] as usize];
+            let to = &self.trips[self.fleet.trip[i] as usize].to;
             let last = self.fleet.leg[i] as usize + 1 == self.routes[i].len();
             let length = self.network.length[link as usize];
-            if last && self.fleet.s[i] >= trip.to.station.min(length - 0.5) {
-                self.remove(slot);
+            let there = self.network.side[link as usize] == to.road.0 * 2 + u32::from(!to.forward);
+            let end = if there { to.station.min(length - 0.5) } else { length - LOST };
+            if last && self.fleet.s[i] >= end {
+                self.remove(slot, there);
             } else {
                 place += 1;
             }
         }
     }
 
-    fn remove(&mut self, slot: u32) {
+    fn remove(&mut self, slot: u32, there: bool) {
         let i = slot as usize;
         let network = self.network.clone();
         self.roads.leave(self.fleet.link[i], slot);
@@ -87,7 +91,11 @@ impl Traffic {
         self.stop_leaving(slot);
         let vehicle = VehicleId(self.fleet.trip[i]);
         let seconds = self.step as f32 * self.dt - self.fleet.since[i];
-        self.events.push(TrafficEvent::Arrived { vehicle, seconds, metres: self.fleet.way[i] });
+        self.events.push(if there {
+            TrafficEvent::Arrived { vehicle, seconds, metres: self.fleet.way[i] }
+        } else {
+            TrafficEvent::Lost { vehicle }
+        });
         self.slots.remove(&vehicle);
         self.fleet.remove(slot);
     }

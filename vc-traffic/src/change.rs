@@ -19,6 +19,8 @@ const FAR: f32 = 250.0;
 /// No change begins nearer to the end of a lane, or to its start, metres.
 const END: f32 = 6.0;
 const START: f32 = 12.0;
+/// One that has stood for so long in a lane from which no way leads to its destination goes where that leads, seconds.
+const GIVES_UP: f32 = 60.0;
 /// The least gap, metres; who is slower than this, metres per second, can stop within it.
 pub(crate) const GAP: f32 = 1.0;
 const CRAWLING: f32 = 2.0;
@@ -111,7 +113,8 @@ impl Traffic {
         let driver = &self.drivers[fleet.class[i] as usize];
         let (v, station) = (fleet.v[i], network.across(fleet.s[i], lane, target));
         let rear = station - driver.length;
-        if rear < START {
+        let stops = station + driver.stopping(v) + driver.standing_gap;
+        if rear < START || !self.is_unblocked(target, rear, stops) {
             return None;
         }
         let queue = &self.roads.queue[target as usize];
@@ -229,10 +232,19 @@ impl Traffic {
         }
         let users = self.classes[self.fleet.class[i] as usize].users;
         let trip = self.trips[self.fleet.trip[i] as usize];
-        let ways = network.next[lane as usize].iter().filter(|link| network.users[**link as usize].has(users));
-        for link in ways.copied().collect::<Vec<_>>() {
-            let to = network.to[network.movement(link)];
-            let Some(mut route) = self.way(to, network.length[to as usize] * 0.5, &trip.to) else { continue };
+        let ways = network.next[lane as usize].iter().copied().filter(|link| network.users[*link as usize].has(users));
+        let ways: Vec<u32> = ways.collect();
+        let on = |link: u32| network.to[network.movement(link)];
+        let found = ways.iter().find_map(|link| {
+            let to = on(*link);
+            Some((*link, self.way(to, network.length[to as usize] * 0.5, &trip.to)?))
+        });
+        // Where no way leads there it goes where the lane leads at last.
+        if found.is_none() && self.fleet.stood[i] < GIVES_UP {
+            return false;
+        }
+        let found = found.or_else(|| ways.first().map(|link| (*link, vec![network.side[on(*link) as usize]])));
+        if let Some((link, mut route)) = found {
             let gone = self.fleet.leg[i] as usize + 1;
             self.routes[i].truncate(gone);
             self.routes[i].append(&mut route);
@@ -240,6 +252,8 @@ impl Traffic {
             self.events.push(TrafficEvent::Rerouted { vehicle: VehicleId(self.fleet.trip[i]) });
             return true;
         }
-        false
+        // A dead end.
+        self.routes[i].truncate(self.fleet.leg[i] as usize + 1);
+        true
     }
 }

@@ -1,7 +1,6 @@
 //! Crossings as vehicles and people see them: where the carriageway begins, and how far beyond a junction a vehicle is clear of them.
 
-use vc_map::{JunctionId, LaneId, Point, Polyline, RoadCrossing, StreetMap, WalkEdge, WalkKind};
-use vc_map::{StripKind, Users};
+use vc_map::{JunctionId, LaneId, Point, Polyline, RoadCrossing, StreetMap};
 
 /// Lines are looked at in steps of so many metres.
 const STEP: f64 = 0.25;
@@ -12,14 +11,6 @@ const BESIDE: f64 = 1.4;
 /// A vehicle is clear of a crossing when its rear is so far beyond, metres; further than this from a junction there is none.
 const BEYOND: f64 = 0.5;
 const FAR: f64 = 25.0;
-/// The width of a corner, and of a way to a door, metres.
-const CORNER: f64 = 1.2;
-pub(crate) const TO_DOOR: f32 = 1.2;
-/// Nobody walks where two do not pass each other, metres.
-const NARROWEST: f64 = 0.9;
-/// Lanes are looked for within this distance, metres.
-const NEAR: f64 = 8.0;
-
 /// A crossing over a junction's arm.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Crosswalk {
@@ -83,40 +74,6 @@ pub(crate) fn clear(map: &StreetMap, junction: JunctionId, row: usize) -> f32 {
         stations(lane.line.length().min(FAR)).filter(on).last().map_or(0.0, |station| station + BEYOND)
     };
     met.map(beyond).fold(0.0, f64::max) as f32
-}
-
-/// Where people walk on each edge of the walkable network: its width off the carriageway, metres; 0 where there is too little room.
-pub(crate) fn widths(map: &StreetMap) -> Vec<f32> {
-    map.walk_edges().iter().map(|edge| width(map, edge) as f32).collect()
-}
-
-fn width(map: &StreetMap, edge: &WalkEdge) -> f64 {
-    let wide = match edge.kind {
-        WalkKind::Crossing(id) => return map.crossing(id).map_or(0.0, |crossing| crossing.width),
-        WalkKind::Lane(id) => map.lane(id).map_or(0.0, |lane| lane.width),
-        WalkKind::Corner(_) => CORNER,
-        _ => return 0.0,
-    };
-    let layer = match edge.kind {
-        WalkKind::Lane(id) => map.lane(id).and_then(|lane| map.road(lane.road)).map(|road| road.draft.layer),
-        _ => None,
-    };
-    let room =
-        2.0 * stations(edge.line.length()).map(|at| off(map, &edge.line.at(at), layer)).fold(f64::INFINITY, f64::min);
-    if wide.min(room) < NARROWEST { 0.0 } else { wide.min(room) }
-}
-
-/// How far a point is from the lane for vehicles that is nearest to it, metres; negative within.
-fn off(map: &StreetMap, at: &Point, layer: Option<i8>) -> f64 {
-    let Some((id, _)) = map.lane_near(at, Users::TRAFFIC, NEAR) else { return NEAR };
-    let Some(lane) = map.lane(id).filter(|lane| lane.kind == StripKind::Driving) else { return NEAR };
-    let level = map.road(lane.road).map(|road| road.draft.layer);
-    if layer.is_some() && level != layer { NEAR } else { lane.line.project(at).left.abs() - lane.width / 2.0 }
-}
-
-/// Whether a straight way leads over no lane for vehicles.
-pub(crate) fn is_off_the_road(map: &StreetMap, line: &Polyline) -> bool {
-    stations(line.length()).all(|station| off(map, &line.at(station), None) > 0.0)
 }
 
 /// Whether a movement passes a crossing before it waits at a station, or comes from its road.

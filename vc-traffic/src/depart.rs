@@ -99,7 +99,7 @@ impl Traffic {
                 self.roads.taken[movement] > 0
                     || (network.free[movement] && !self.roads.queue[network.from[movement] as usize].is_empty())
             });
-        if comes && rear < START {
+        if (comes && rear < START) || !self.is_unblocked(lane, rear - GAP, station + GAP) {
             return false;
         }
         let clear = |slot: &u32| {

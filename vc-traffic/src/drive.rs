@@ -27,6 +27,7 @@ impl Traffic {
             let queue = &self.roads.queue[link];
             let mut ahead: Option<(f32, f32)> = None;
             let mut front = f32::NEG_INFINITY;
+            let blocked = !self.blocks_on(link as u32).is_empty();
             for slot in queue {
                 let i = *slot as usize;
                 let (s, v) = (self.fleet.s[i], self.fleet.v[i]);
@@ -41,6 +42,7 @@ impl Traffic {
                 let stop = network.stop.get(link).copied().unwrap_or(f32::INFINITY);
                 let first = front > stop && s <= stop;
                 let held = if first { held.max(self.held_back(*slot, link as u32)) } else { held };
+                let held = if blocked { held.max(self.held_by_block(*slot, link as u32, s)) } else { held };
                 front = s;
                 acceleration[i] = (driver.free(v, desired) - held).max(-HARDEST);
                 ahead = Some((s - driver.length, v));
@@ -103,8 +105,9 @@ impl Traffic {
             }
             lane = network.to[movement];
             leg += 1;
+            held = self.held_by_block(slot, lane, -away);
             if let Some((rear, speed)) = self.roads.tail(network, &self.fleet, &self.drivers, lane) {
-                return driver.behind(v, away + rear, v - speed);
+                return held.max(driver.behind(v, away + rear, v - speed));
             }
             away += network.length[lane as usize];
             first = false;
@@ -138,11 +141,13 @@ impl Traffic {
                     held = held.max(needed + driver.acceleration);
                 }
             }
+            held = held.max(self.held_by_block(slot, next, -away));
             if let Some((rear, speed)) = self.roads.tail(network, &self.fleet, &self.drivers, next) {
                 return held.max(driver.behind(v, away + rear, v - speed));
             }
             away += network.length[next as usize];
             lane = network.to[movement];
+            held = held.max(self.held_by_block(slot, lane, -away));
             if let Some((rear, speed)) = self.roads.tail(network, &self.fleet, &self.drivers, lane) {
                 return held.max(driver.behind(v, away + rear, v - speed));
             }
@@ -151,6 +156,12 @@ impl Traffic {
             first = false;
         }
         held
+    }
+
+    /// By how much a block on a link ahead holds one back, metres per second squared; whose front is at a station of the link, or before it.
+    fn held_by_block(&self, slot: u32, link: u32, station: f32) -> f32 {
+        let (v, class) = (self.fleet.v[slot as usize], self.fleet.class[slot as usize] as usize);
+        self.gap_to_block(slot, link, station).map_or(0.0, |gap| self.drivers[class].behind(v, gap, v))
     }
 
     /// By how much one is held back by who went before it from the same lane another way, and whose rear is still near.

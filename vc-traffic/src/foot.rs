@@ -4,14 +4,17 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use vc_graph::Seed;
-use vc_map::route::{Leg, Mode, Router};
-use vc_map::{CrossingId, DrivingSide, Light, Polyline, StreetMap, WalkKind};
+use vc_map::route::Router;
+use vc_map::{CrossingId, DrivingSide, Light, StreetMap};
 
 use crate::Traffic;
 use crate::advance::STUCK;
-use crate::crossing::{KERB, TO_DOOR, is_off_the_road, widths};
+use crate::block::Block;
+use crate::crossing::KERB;
 use crate::crowd::{Crowd, RADIUS, Walker, Way};
-use crate::network::NONE;
+use crate::ground::{Ground, Over};
+use crate::journey::{self, Journey, Passage};
+use crate::network::{NONE, Network};
 use crate::trip::{PersonId, TrafficEvent, Walk};
 
 /// The speed of people with nobody around, its deviation, and its bounds, metres per second (Weidmann, 1993).
@@ -23,28 +26,14 @@ const HURRY: f32 = 1.2;
 /// Vehicles yield to whoever is so near to a crossing's kerb, and one begins to cross from so near, metres.
 const CLAIMS: f32 = 2.0;
 const BEGINS: f32 = 0.5;
+/// One who has waited so long where there is no crossing asks vehicles to stop, and lets them go on by turns of so long, seconds.
+const CLAIMS_AFTER: f32 = 5.0;
+const CLAIMS_FOR: f32 = 20.0;
+/// Lights of two crossings that have not shown green at once for so long never do, seconds.
+const NEVER: f32 = 150.0;
 /// Somebody has arrived who is so near to their door, metres; those who set out wait for room, and try once in so many seconds.
 const THERE: f32 = 0.4;
 const TRIES: f32 = 1.0;
-
-/// A crossing on somebody's way, between two stations, metres.
-#[derive(Debug, Clone, Copy)]
-struct Passage {
-    crossing: u32,
-    from: f32,
-    to: f32,
-}
-
-/// Somebody's way, as it is gone.
-#[derive(Debug, Clone)]
-struct Journey {
-    passages: Vec<Passage>,
-    next: usize,
-    /// Whether they may cross the next, or do.
-    on: bool,
-    since: f32,
-    speed: f32,
-}
 
 /// Those on foot, and the crossings.
 #[derive(Clone)]
@@ -52,12 +41,12 @@ pub(crate) struct Foot {
     pub(crate) crowd: Crowd,
     walks: Arc<Vec<Walk>>,
     router: Option<Arc<Router>>,
-    widths: Arc<Vec<f32>>,
+    ground: Option<Arc<Ground>>,
     /// The walks in the order of their departure, and the next of these.
     order: Arc<Vec<u32>>,
     coming: usize,
     /// Those who wait for room at their door.
-    pending: BTreeMap<PersonId, (Arc<Way>, Vec<Passage>)>,
+    pending: BTreeMap<PersonId, (Arc<Way>, Arc<[Passage]>)>,
     journeys: BTreeMap<PersonId, Journey>,
     /// For each crossing: the number of those who may cross or do, whether somebody is about to, and whether a vehicle has waited for too long.
     on: Vec<u16>,
@@ -76,7 +65,7 @@ impl Foot {
             crowd: if map.side() == DrivingSide::Left { crowd.keeping_left() } else { crowd },
             walks: Arc::default(),
             router: None,
-            widths: Arc::default(),
+            ground: None,
             order: Arc::default(),
             coming: 0,
             pending: BTreeMap::new(),
@@ -89,12 +78,13 @@ impl Foot {
     }
 
     /// Sets the walks of those who are to come.
-    pub(crate) fn set(&mut self, map: &StreetMap, walks: Vec<Walk>) {
+    pub(crate) fn set(&mut self, network: &Network, walks: Vec<Walk>) {
         let mut order: Vec<u32> = (0..walks.len() as u32).collect();
         order.sort_by(|a, b| walks[*a as usize].departs.total_cmp(&walks[*b as usize].departs).then(a.cmp(b)));
         (self.walks, self.order) = (Arc::new(walks), Arc::new(order));
-        self.router = Some(Arc::new(Router::new(map, Mode::Foot)));
-        self.widths = Arc::new(widths(map));
+        let ground = Ground::new(network);
+        self.router = Some(Arc::new(Router::on_foot(&network.map, |edge| ground.reluctance(edge.index()))));
+        self.ground = Some(Arc::new(ground));
     }
 
     /// The number of walks that have not begun.
@@ -104,55 +94,18 @@ impl Foot {
 
     /// All that decides on what follows, as numbers.
     pub(crate) fn words(&self) -> impl Iterator<Item = u64> {
-        let journeys = self.journeys.values().map(|journey| journey.next as u64 * 2 + u64::from(journey.on));
+        let of =
+            |journey: &Journey| [journey.next as u64 * 2 + u64::from(journey.on), u64::from(journey.waits.to_bits())];
+        let journeys = self.journeys.values().flat_map(of);
         let pending = self.pending.keys().map(|id| u64::from(id.0));
         [self.crowd.digest().0, self.coming as u64].into_iter().chain(journeys).chain(pending)
-    }
-
-    /// The way of a walk, and the crossings on it; `None` where it leads over the carriageway.
-    fn way(&self, traffic: &Traffic, walk: &Walk) -> Option<(Arc<Way>, Vec<Passage>)> {
-        let map = traffic.map();
-        let route = self.router.as_ref()?.between_entrances(walk.from, walk.to)?;
-        let [from, to] = [map.entrance(walk.from)?, map.entrance(walk.to)?];
-        let beside = |entrance: &vc_map::Entrance| {
-            entrance.edge.and_then(|edge| map.walk_edge(edge)).map(|edge| edge.line.at(entrance.station))
-        };
-        let doors = [Polyline::new([from.door, beside(from)?]), Polyline::new([beside(to)?, to.door])];
-        if !doors.iter().flatten().all(|line| is_off_the_road(map, line)) {
-            return None;
-        }
-        let [first, last] = doors.map(|line| line.map(|line| (line, TO_DOOR)));
-        let mut parts: Vec<(Polyline, f32)> = first.into_iter().collect();
-        let mut passages = Vec::new();
-        for (number, leg) in route.legs.iter().enumerate() {
-            let Leg::Walk(id, forward) = leg else { return None };
-            let edge = map.walk_edge(*id)?;
-            let length = edge.line.length();
-            let mut range = if *forward { [0.0, length] } else { [length, 0.0] };
-            if number == 0 && from.edge == Some(*id) {
-                range[0] = from.station;
-            }
-            if number + 1 == route.legs.len() && to.edge == Some(*id) {
-                range[1] = to.station;
-            }
-            let width = self.widths.get(id.index()).copied().filter(|width| *width > 0.0)?;
-            if let WalkKind::Crossing(crossing) = edge.kind {
-                let [near, far] = traffic.network.crosswalks.get(crossing.index())?.kerbs;
-                let [near, far] = if *forward { [near, far] } else { [length as f32 - far, length as f32 - near] };
-                let station = parts.iter().map(|(line, _)| line.length()).sum::<f64>() as f32;
-                passages.push(Passage { crossing: crossing.0, from: station + near, to: station + far });
-            }
-            let part = edge.line.part(range[0].min(range[1]), range[0].max(range[1]));
-            parts.extend(part.map(|part| (if *forward { part } else { part.reversed() }, width)));
-        }
-        parts.extend(last);
-        Some((Arc::new(Way::new(parts)?), passages))
     }
 }
 
 impl Traffic {
     /// People ask to cross, as they stand, and leave the crossings that are behind them.
     pub(crate) fn cross(&mut self) {
+        self.blocks.clear();
         if self.foot.crowd.is_empty() && !self.foot.claims.contains(&true) {
             return;
         }
@@ -160,40 +113,77 @@ impl Traffic {
         self.foot.claims.fill(false);
         let mut journeys = std::mem::take(&mut self.foot.journeys);
         for (journey, slot) in journeys.values_mut().zip(self.foot.crowd.slots()) {
-            let Some(Passage { crossing, from, to }) = journey.passages.get(journey.next).copied() else { continue };
-            let station = self.foot.crowd.station(slot);
-            let walk = self.network.crosswalks[crossing as usize];
-            let (junction, c) = (walk.junction as usize, crossing as usize);
-            let light = self.light_of(junction, walk.row as usize);
-            let lit = matches!(light, None | Some(Light::Green | Light::GreenYield));
-            // One who has not come over the kerb yet waits.
-            let begun = station + RADIUS > from + KERB;
-            let mut leaves = false;
-            if journey.on {
-                leaves = station > to + RADIUS;
-                if leaves || (!lit && !begun) {
-                    journey.on = false;
-                    self.foot.on[c] -= 1;
-                }
-                if leaves {
-                    self.foot.crowd.keep(slot, to + RADIUS);
-                }
-            } else if lit && station > from - CLAIMS - RADIUS {
-                (self.foot.claimed[c], self.foot.claims[junction]) = (true, true);
-                let near = station > from - BEGINS - RADIUS;
-                if near && !self.foot.late[c] && self.is_clear(junction, walk.row as usize, NONE) {
-                    journey.on = true;
-                    self.foot.on[c] += 1;
-                }
+            if journey.next < journey.passages.len() {
+                self.come_to(journey, slot);
             }
-            journey.next += usize::from(leaves);
-            self.roads.cross(junction, walk.row, self.foot.on[c] > 0);
-            let ahead = journey.next + usize::from(journey.on);
-            let stop = journey.passages.get(ahead).map_or(f32::INFINITY, |next| next.from);
-            let speed = if journey.on { journey.speed.max(HURRY) } else { journey.speed };
-            self.foot.crowd.lead_slot(slot, stop, speed);
         }
         self.foot.journeys = journeys;
+        self.blocks.sort_by(|a, b| a.span.link.cmp(&b.span.link).then(a.span.from.total_cmp(&b.span.from)));
+    }
+
+    /// One on foot before or on a passage asks, goes, or leaves it.
+    fn come_to(&mut self, journey: &mut Journey, slot: u32) {
+        let passages = journey.passages.clone();
+        let Passage { crossings, over: Over { from, to, spans }, kerb } = &passages[journey.next];
+        let station = self.foot.crowd.station(slot);
+        let walk = |crossing: &u32| self.network.crosswalks[*crossing as usize];
+        let lit = |crossing: &u32| {
+            let walk = walk(crossing);
+            matches!(
+                self.light_of(walk.junction as usize, walk.row as usize),
+                None | Some(Light::Green | Light::GreenYield)
+            )
+        };
+        // Where two that have no room between them never show green at once people heed the first.
+        let heeded = if journey.waits > NEVER { crossings.len().min(1) } else { crossings.len() };
+        let lit = crossings[..heeded].iter().all(lit);
+        // One who has not come over the kerb yet waits.
+        let begun = station + RADIUS > kerb + KERB;
+        let mut leaves = false;
+        let mut claims = false;
+        if journey.on {
+            leaves = station > to + RADIUS;
+            if leaves || (!lit && !begun) {
+                journey.on = false;
+                crossings.iter().for_each(|c| self.foot.on[*c as usize] -= 1);
+            }
+            if leaves {
+                self.foot.crowd.keep(slot, to + RADIUS);
+            }
+        } else if station > from - CLAIMS - RADIUS {
+            journey.waits += self.dt;
+            // Whoever stands on the way has to go first.
+            let empty = lit && self.is_empty_on(spans);
+            let turn = ((journey.waits / CLAIMS_FOR) as u32).is_multiple_of(2);
+            claims = empty && journey.waits > CLAIMS_AFTER && turn;
+            if empty {
+                for c in crossings.iter() {
+                    self.foot.claimed[*c as usize] = true;
+                    self.foot.claims[self.network.crosswalks[*c as usize].junction as usize] = true;
+                }
+            }
+            let free = |c: &u32| {
+                let walk = walk(c);
+                !self.foot.late[*c as usize] && self.is_clear(walk.junction as usize, walk.row as usize, NONE)
+            };
+            let near = station > from - BEGINS - RADIUS;
+            if near && empty && crossings.iter().all(free) && self.is_open(spans) {
+                (journey.on, journey.waits) = (true, 0.0);
+                crossings.iter().for_each(|c| self.foot.on[*c as usize] += 1);
+            }
+        }
+        for c in crossings.iter() {
+            let walk = self.network.crosswalks[*c as usize];
+            self.roads.cross(walk.junction as usize, walk.row, self.foot.on[*c as usize] > 0);
+        }
+        if journey.on || claims {
+            self.blocks.extend(spans.iter().map(|span| Block { span: *span, firm: journey.on }));
+        }
+        journey.next += usize::from(leaves);
+        let ahead = journey.next + usize::from(journey.on);
+        let stop = passages.get(ahead).map_or(f32::INFINITY, |next| next.over.from);
+        let speed = if journey.on { journey.speed.max(HURRY) } else { journey.speed };
+        self.foot.crowd.lead_slot(slot, stop, speed);
     }
 
     /// Whether somebody is about to cross where a row of a junction leads.
@@ -248,27 +238,31 @@ impl Traffic {
             }
             self.foot.coming += 1;
             let person = PersonId(number);
-            match self.foot.way(self, &walk) {
+            let (Some(ground), Some(router)) = (&self.foot.ground, &self.foot.router) else { continue };
+            match journey::way(&self.network, ground, router, &walk) {
                 Some(way) => _ = self.foot.pending.insert(person, way),
                 None => self.events.push(TrafficEvent::NoWalk { person }),
             }
         }
         let every = (TRIES / self.dt).round().max(1.0) as u64;
         let seed: Seed = self.seed.child("people");
-        let foot = &mut self.foot;
         let step = self.step;
-        let trying = foot.pending.iter().filter(|(id, _)| (step + u64::from(id.0)).is_multiple_of(every));
+        let trying = self.foot.pending.iter().filter(|(id, _)| (step + u64::from(id.0)).is_multiple_of(every));
         let trying: Vec<PersonId> = trying.map(|(id, _)| *id).collect();
         for id in trying {
-            let Some((way, passages)) = foot.pending.remove(&id) else { continue };
+            let Some((way, passages)) = self.foot.pending.remove(&id) else { continue };
             let speed = seed.nth(u64::from(id.0)).stream().normal(SPEED, DEVIATION).clamp(SPEEDS[0], SPEEDS[1]);
             let mut walker = Walker::new(id, way.clone(), 0.0, 0.0, speed);
-            walker.stop = passages.first().map_or(f32::INFINITY, |passage| passage.from);
-            if foot.crowd.add(walker) {
-                foot.journeys.insert(id, Journey { passages, next: 0, on: false, since: now, speed });
+            walker.stop = passages.first().map_or(f32::INFINITY, |passage| passage.over.from);
+            // Whose door is on the road waits for a gap there.
+            let on = walker.stop < RADIUS;
+            let open = !on
+                || passages.first().is_none_or(|first| first.crossings.is_empty() && self.is_open(&first.over.spans));
+            if open && self.foot.crowd.add(walker) {
+                self.foot.journeys.insert(id, Journey { passages, next: 0, on, waits: 0.0, since: now, speed });
                 self.events.push(TrafficEvent::SetOff { person: id });
             } else {
-                foot.pending.insert(id, (way, passages));
+                self.foot.pending.insert(id, (way, passages));
             }
         }
     }

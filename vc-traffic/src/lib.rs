@@ -7,6 +7,7 @@
 //! Nothing is random but the wishes of drivers and people, by seed.
 
 mod advance;
+mod block;
 mod change;
 mod class;
 mod crossing;
@@ -16,6 +17,8 @@ mod drive;
 mod fleet;
 mod follow;
 mod foot;
+mod ground;
+mod journey;
 mod network;
 mod pose;
 mod right_of_way;

@@ -149,6 +149,10 @@ impl Traffic {
         if network.stops[lane as usize] && light.is_none() && (v > STANDING || away > AT_LINE) {
             return None;
         }
+        // Nobody waits on a junction for who crosses beyond.
+        if self.leaves_to_people(slot, link) {
+            return None;
+        }
         let row = network.row[movement] as usize;
         let yields = match light {
             Some(light) => light == Light::GreenYield,
@@ -278,6 +282,11 @@ impl Traffic {
         };
         let beyond = |row: usize| network.beyond[movement].get(row).copied().unwrap_or(false);
         (0..table.size()).all(|row| !table.has(one.row, row) || beyond(row) || !there(row))
+    }
+
+    /// The length of a vehicle, metres.
+    pub(crate) fn length(&self, slot: u32) -> f32 {
+        self.drivers[self.fleet.class[slot as usize] as usize].length
     }
 
     /// The room that a vehicle takes behind a junction, centimetres.

@@ -117,18 +117,21 @@ impl Roads {
         let length = |i: usize| drivers[fleet.class[i] as usize].length;
         let last = self.queue[link as usize].back().map(|slot| *slot as usize);
         let last = last.map(|i| (fleet.s[i] - length(i), fleet.v[i]));
-        let last = last.or_else(|| {
-            let (slot, trip, way) = self.left[link as usize];
-            let i = Some(slot as usize).filter(|i| trip != NONE && fleet.trip[*i] == trip)?;
-            let beyond = fleet.way[i] - way - length(i);
-            (beyond < 0.0).then(|| (network.length[link as usize] + beyond, fleet.v[i]))
-        });
+        let last = last.or_else(|| self.rear_beyond(network, fleet, drivers, link));
         let Some(leaving) = self.leaving.get(link as usize).filter(|leaving| !leaving.is_empty()) else { return last };
         let aside = leaving.iter().map(|slot| {
             let i = *slot as usize;
             (network.across(fleet.s[i], fleet.link[i], link) - length(i), fleet.v[i])
         });
         aside.chain(last).min_by(|a, b| a.0.total_cmp(&b.0))
+    }
+
+    /// The rear of the last who left a link at its end, if it is still on it.
+    pub(crate) fn rear_beyond(&self, network: &Network, fleet: &Fleet, drivers: &[Driver], link: u32) -> Option<Tail> {
+        let (slot, trip, way) = self.left[link as usize];
+        let i = Some(slot as usize).filter(|i| trip != NONE && fleet.trip[*i] == trip)?;
+        let beyond = fleet.way[i] - way - drivers[fleet.class[i] as usize].length;
+        (beyond < 0.0).then(|| (network.length[link as usize] + beyond, fleet.v[i]))
     }
 
     /// The position in a link's queue of the first who is behind a station.

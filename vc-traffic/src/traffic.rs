@@ -9,6 +9,7 @@ use vc_graph::{Digest, Seed};
 use vc_map::route::{Mode, Router};
 use vc_map::{Light, StreetMap};
 
+use crate::block::Block;
 use crate::crowd::Walker;
 use crate::fleet::Fleet;
 use crate::follow::Driver;
@@ -114,6 +115,8 @@ pub struct Traffic {
     /// The slot of each vehicle on the road.
     pub(crate) slots: BTreeMap<VehicleId, u32>,
     pub(crate) foot: Foot,
+    /// The parts of links that are taken up, by link.
+    pub(crate) blocks: Vec<Block>,
 }
 
 impl Traffic {
@@ -156,11 +159,13 @@ impl Traffic {
             events: Vec::new(),
             slots: BTreeMap::new(),
             foot: Foot::none(map, options.step),
+            blocks: Vec::new(),
         })
     }
 
-    /// The same with people who walk from door to door: on pavements and paths, over crossings in their green or where vehicles leave it to
-    /// them, and never on the carriageway. Costs a router, and a look at each edge of the walkable network.
+    /// The same with people who walk from door to door: on pavements and paths, beside streets without pavements, over crossings in their green
+    /// or where vehicles leave it to them, and where there is none in gaps between vehicles. Costs a router, and a look at each half metre of
+    /// the walkable network.
     ///
     /// # Errors
     /// [`TrafficError::Walk`]: doors that the map does not have, a time that is none.
@@ -177,8 +182,7 @@ impl Traffic {
             };
             return Err(TrafficError::Walk { person: PersonId(number as u32), reason });
         }
-        let map = self.map().clone();
-        self.foot.set(&map, walks);
+        self.foot.set(&self.network, walks);
         Ok(self)
     }
 

@@ -102,13 +102,19 @@ pub enum TrafficEvent {
         /// The person.
         person: PersonId,
     },
-    /// A walk cannot be made: every way, or the fastest, leads along a carriageway.
+    /// A walk cannot be made: no way leads there.
     NoWalk {
         /// The person.
         person: PersonId,
     },
     /// A vehicle that did not get into the lane of its way goes another one.
     Rerouted {
+        /// The vehicle.
+        vehicle: VehicleId,
+    },
+    /// A vehicle has driven to where its lane led, off the map or to a dead end, because it did not get into the lane of its way, and no way
+    /// leads from there to its destination. It is gone.
+    Lost {
         /// The vehicle.
         vehicle: VehicleId,
     },

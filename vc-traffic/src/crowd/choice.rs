@@ -33,6 +33,8 @@ const PARTS: f32 = 65536.0;
 const MEETS: f32 = 4.0;
 const ASIDE: f32 = 0.3;
 const SLOWER: f32 = 0.1;
+/// One who has to wait keeps to that side from so far on, metres.
+const WAITS: f32 = 3.0;
 /// Whoever has not come on for so long only keeps from touching others, and tries a direction for some time each, up to so much to a side, and
 /// once in so many times back; seconds, and the part of their speed.
 const IMPATIENT: f32 = 5.0;
@@ -84,6 +86,8 @@ impl Crowd {
         let free = self.speed[i];
         let mut speed = free * (1.0 - (-FACTOR * (1.0 / density.max(1e-3) - 1.0 / DENSEST)).exponential()).max(SLOWEST);
         let stop = self.stop[i] - RADIUS - piece.station - station;
+        // Whoever waits leaves half of the way to those who come over.
+        room.meets |= stop < WAITS;
         if stop.is_finite() {
             speed = speed.min((2.0 * SLOWS * stop.max(0.0)).sqrt());
         }

@@ -3,6 +3,10 @@
 use nalgebra::{Point2, Vector2};
 use vc_map::Polyline;
 
+/// A way with a smaller sine between two pieces has no bend there; the line across a sharp one leans by at most so much.
+const BEND: f32 = 0.2;
+const MOST_LEAN: f32 = 1.5;
+
 /// A straight part of a way.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Piece {
@@ -85,6 +89,15 @@ impl Way {
         let piece = &self.pieces[self.piece(station)];
         let at = piece.from + piece.along * (station - piece.station) + piece.left() * left;
         [at.x, at.y]
+    }
+
+    /// The stations about each bend between which it depends on the side where one walks how far one has come, metres.
+    pub(crate) fn bends(&self) -> impl Iterator<Item = [f32; 2]> {
+        self.pieces.windows(2).filter_map(|pair| {
+            let (sine, cosine) = (pair[0].along.perp(&pair[1].along).abs(), pair[0].along.dot(&pair[1].along));
+            let reach = pair[0].half.max(pair[1].half) * (sine / (1.0 + cosine).max(0.3)).min(MOST_LEAN);
+            (sine > BEND).then(|| [pair[1].station - reach, pair[1].station + reach])
+        })
     }
 
     /// The number of the piece at a station.

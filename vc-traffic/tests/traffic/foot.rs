@@ -4,10 +4,10 @@ use std::collections::BTreeMap;
 
 use vc_graph::Seed;
 use vc_map::{Control, CrossingId, DrivingSide, EntranceId, JunctionId, LaneId, Light, Point, StreetMap, Users};
-use vc_traffic::{PersonId, Pose, Traffic, TrafficError, TrafficEvent, TrafficOptions, VehicleId, Walk, Walker};
+use vc_traffic::{PersonId, Traffic, TrafficError, TrafficEvent, TrafficOptions, Walk, Walker};
 
 use crate::grid::{grid, town, trips, walks};
-use crate::people::overlap;
+use crate::people::{hit, overlap};
 
 /// The radius of a body, metres, and what rounding may add.
 const RADIUS: f64 = 0.2;
@@ -47,16 +47,6 @@ fn lane_under(map: &StreetMap, at: &Point) -> Option<LaneId> {
     (beside && near.left.abs() < lane.width / 2.0 + RADIUS - 3.0 * ROUNDING).then_some(id)
 }
 
-fn is_under(pose: &Pose, at: &Point) -> bool {
-    let corners = pose.corners();
-    let middle = pose.at;
-    let forward = (corners[0] - corners[1]).normalize();
-    let from = at - middle;
-    let [length, width] = pose.size.map(|metres| f64::from(metres) / 2.0);
-    let (along, across) = (from.dot(&forward).abs() - length, forward.perp(&from).abs() - width);
-    along < RADIUS - ROUNDING && across < RADIUS - ROUNDING
-}
-
 /// The light for people at a crossing at a time.
 fn light(map: &StreetMap, id: CrossingId, seconds: f64) -> Option<Light> {
     let junction = map.junction(map.crossing(id)?.junction)?;
@@ -82,21 +72,10 @@ fn run(traffic: &mut Traffic, steps: usize) -> Seen {
         traffic.step();
         assert_eq!(traffic.overlaps(), [], "step {step}");
         assert_eq!(overlap(traffic.people().map(|walker| walker.at)), None, "step {step}");
-        let mut cells: BTreeMap<[i32; 2], Vec<(VehicleId, Pose)>> = BTreeMap::new();
-        for (id, pose) in traffic.vehicles() {
-            cells
-                .entry([(pose.at.x / 16.0).floor() as i32, (pose.at.y / 16.0).floor() as i32])
-                .or_default()
-                .push((id, pose));
-        }
+        assert_eq!(hit(traffic), None, "step {step}");
         let mut now = BTreeMap::new();
         for walker in traffic.people() {
             let at = point(&walker);
-            let [x, y] = [at.x, at.y].map(|metres| (metres / 16.0).floor() as i32);
-            let around = (x - 1..=x + 1).flat_map(|x| (y - 1..=y + 1).map(move |y| [x, y]));
-            let mut near = around.filter_map(|cell| cells.get(&cell)).flatten();
-            let hit = near.find(|(_, pose)| is_under(pose, &at));
-            assert!(hit.is_none(), "step {step}: {} at {at} under {hit:?}", walker.id);
             if lane_under(&map, &at).is_some() {
                 let Some(on) = crossing(&map, &at) else { panic!("step {step}: {} on the road at {at}", walker.id) };
                 if !over.contains_key(&walker.id) {

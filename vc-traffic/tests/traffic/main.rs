@@ -8,3 +8,4 @@ mod foot;
 mod grid;
 mod people;
 mod rules;
+mod streets;
