@@ -83,12 +83,6 @@ impl Traffic {
 
     fn remove(&mut self, slot: u32, there: bool) {
         let i = slot as usize;
-        let network = self.network.clone();
-        self.roads.leave(self.fleet.link[i], slot);
-        let covered: Vec<u32> = self.roads.covers.iter().filter(|(other, ..)| *other == slot).map(|of| of.1).collect();
-        covered.into_iter().for_each(|movement| self.roads.give(&network, movement));
-        self.roads.covers.retain(|(other, ..)| *other != slot);
-        self.stop_leaving(slot);
         let vehicle = VehicleId(self.fleet.trip[i]);
         let seconds = self.step as f32 * self.dt - self.fleet.since[i];
         self.events.push(if there {
@@ -97,6 +91,17 @@ impl Traffic {
             TrafficEvent::Lost { vehicle }
         });
         self.slots.remove(&vehicle);
+        self.off_the_road(slot);
+    }
+
+    /// Takes a vehicle off its link, and off the junctions that its rear still covers.
+    pub(crate) fn off_the_road(&mut self, slot: u32) {
+        let network = self.network.clone();
+        self.roads.leave(self.fleet.link[slot as usize], slot);
+        let covered: Vec<u32> = self.roads.covers.iter().filter(|(other, ..)| *other == slot).map(|of| of.1).collect();
+        covered.into_iter().for_each(|movement| self.roads.give(&network, movement));
+        self.roads.covers.retain(|(other, ..)| *other != slot);
+        self.stop_leaving(slot);
         self.fleet.remove(slot);
     }
 

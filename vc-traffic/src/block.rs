@@ -81,19 +81,14 @@ impl Traffic {
     }
 
     /// The vehicles on a link, with those who are leaving it sideways.
-    fn on(&self, link: u32) -> impl Iterator<Item = u32> {
+    pub(crate) fn on(&self, link: u32) -> impl Iterator<Item = u32> {
         let beside = self.roads.leaving.get(link as usize).into_iter().flatten();
         self.roads.queue[link as usize].iter().chain(beside).copied()
     }
 
     /// The station of a vehicle's front on its link, or on one beside it, metres.
-    fn station_on(&self, slot: u32, link: u32) -> f32 {
-        let i = slot as usize;
-        if self.fleet.link[i] == link {
-            self.fleet.s[i]
-        } else {
-            self.network.across(self.fleet.s[i], self.fleet.link[i], link)
-        }
+    pub(crate) fn station_on(&self, slot: u32, link: u32) -> f32 {
+        self.network.on_or_across(self.fleet.s[slot as usize], self.fleet.link[slot as usize], link)
     }
 
     /// Whether a vehicle comes towards the start of a link that cannot stop so far beyond it, metres, or does not want to.

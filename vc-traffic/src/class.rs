@@ -54,6 +54,14 @@ pub struct ClassError {
 }
 
 impl VehicleClass {
+    /// Its numbers, in the order of the table.
+    pub(crate) fn numbers(&self) -> [f32; 9] {
+        let Self {
+            share, deviation, top_speed, time_gap, standing_gap, acceleration, deceleration, length, width, ..
+        } = *self;
+        [share, deviation, top_speed, time_gap, standing_gap, acceleration, deceleration, length, width]
+    }
+
     /// The built-in kinds: car, van, truck, bus, motorcycle.
     pub fn built_in() -> Vec<Self> {
         Self::read(BUILT_IN).unwrap_or_default()

@@ -166,28 +166,33 @@ impl Traffic {
 
     /// By how much one is held back by who went before it from the same lane another way, and whose rear is still near.
     fn behind_who_turned_off(&self, slot: u32, lane: u32, away: f32) -> f32 {
-        let network = &self.network;
         let last = self.roads.last[lane as usize];
         if last == NONE || last == slot || self.fleet.trip[last as usize] == NONE {
             return 0.0;
         }
-        let i = last as usize;
-        let link = self.fleet.link[i];
-        let on = |movement: u32| {
-            movement != NONE && !network.is_lane(movement) && network.from[network.movement(movement)] == lane
-        };
-        let front = match () {
-            () if on(link) => self.fleet.s[i],
-            () if on(self.fleet.behind[i]) => self.fleet.s[i] + network.length[self.fleet.behind[i] as usize],
-            () => return 0.0,
-        };
-        let rear = front - self.drivers[self.fleet.class[i] as usize].length;
+        let Some(front) = self.beyond_end(last, lane) else { return 0.0 };
+        let rear = front - self.length(last);
         if rear > PARTS {
             return 0.0;
         }
         let own = slot as usize;
         let driver = &self.drivers[self.fleet.class[own] as usize];
-        driver.behind(self.fleet.v[own], away + rear, self.fleet.v[own] - self.fleet.v[i])
+        driver.behind(self.fleet.v[own], away + rear, self.fleet.v[own] - self.fleet.v[last as usize])
+    }
+
+    /// How far beyond the end of a lane the front of a vehicle is that came from there, metres, as long as it is on the junction or just beyond.
+    pub(crate) fn beyond_end(&self, slot: u32, lane: u32) -> Option<f32> {
+        let network = &self.network;
+        let (s, link, behind) =
+            (self.fleet.s[slot as usize], self.fleet.link[slot as usize], self.fleet.behind[slot as usize]);
+        let on = |movement: u32| {
+            movement != NONE && !network.is_lane(movement) && network.from[network.movement(movement)] == lane
+        };
+        match () {
+            () if on(link) => Some(s),
+            () if on(behind) => Some(s + network.length[behind as usize]),
+            () => None,
+        }
     }
 
     /// A vehicle that changes lanes and those in the lane that it leaves heed each other until it has left.

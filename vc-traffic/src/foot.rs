@@ -10,11 +10,13 @@ use vc_map::{CrossingId, DrivingSide, Light, StreetMap};
 use crate::Traffic;
 use crate::advance::STUCK;
 use crate::block::Block;
+use crate::bytes::{Reader, Writer};
 use crate::crossing::KERB;
 use crate::crowd::{Crowd, RADIUS, Walker, Way};
-use crate::ground::{Ground, Over};
+use crate::ground::{Ground, Links, Over};
 use crate::journey::{self, Journey, Passage};
 use crate::network::{NONE, Network};
+use crate::save::SaveError;
 use crate::trip::{PersonId, TrafficEvent, Walk};
 
 /// The speed of people with nobody around, its deviation, and its bounds, metres per second (Weidmann, 1993).
@@ -39,7 +41,7 @@ const TRIES: f32 = 1.0;
 #[derive(Clone)]
 pub(crate) struct Foot {
     pub(crate) crowd: Crowd,
-    walks: Arc<Vec<Walk>>,
+    pub(crate) walks: Arc<Vec<Walk>>,
     router: Option<Arc<Router>>,
     ground: Option<Arc<Ground>>,
     /// The walks in the order of their departure, and the next of these.
@@ -47,7 +49,7 @@ pub(crate) struct Foot {
     coming: usize,
     /// Those who wait for room at their door.
     pending: BTreeMap<PersonId, (Arc<Way>, Arc<[Passage]>)>,
-    journeys: BTreeMap<PersonId, Journey>,
+    pub(crate) journeys: BTreeMap<PersonId, Journey>,
     /// For each crossing: the number of those who may cross or do, whether somebody is about to, and whether a vehicle has waited for too long.
     on: Vec<u16>,
     claimed: Vec<bool>,
@@ -78,18 +80,49 @@ impl Foot {
     }
 
     /// Sets the walks of those who are to come.
-    pub(crate) fn set(&mut self, network: &Network, walks: Vec<Walk>) {
+    pub(crate) fn set(&mut self, network: &Network, links: Arc<Links>, walks: Vec<Walk>) {
         let mut order: Vec<u32> = (0..walks.len() as u32).collect();
         order.sort_by(|a, b| walks[*a as usize].departs.total_cmp(&walks[*b as usize].departs).then(a.cmp(b)));
         (self.walks, self.order) = (Arc::new(walks), Arc::new(order));
-        let ground = Ground::new(network);
+        let ground = Ground::new(network, links);
         self.router = Some(Arc::new(Router::on_foot(&network.map, |edge| ground.reluctance(edge.index()))));
         self.ground = Some(Arc::new(ground));
+    }
+
+    /// The number of those who are on a crossing, or may begin to cross.
+    pub(crate) fn on(&self, crossing: u32) -> u16 {
+        self.on[crossing as usize]
+    }
+
+    /// Counts one more or one fewer there.
+    pub(crate) fn count(&mut self, crossing: u32, more: bool) -> u16 {
+        let on = &mut self.on[crossing as usize];
+        *on = if more { *on + 1 } else { *on - 1 };
+        *on
     }
 
     /// The number of walks that have not begun.
     pub(crate) fn waiting(&self) -> usize {
         self.pending.len() + self.order.len() - self.coming
+    }
+
+    /// The way of a walk.
+    fn way(&self, network: &Network, walk: &Walk) -> Option<(Arc<Way>, Arc<[Passage]>)> {
+        journey::way(network, self.ground.as_ref()?, self.router.as_ref()?, walk)
+    }
+
+    /// Writes those on foot.
+    pub(crate) fn save(&self, to: &mut Writer) {
+        to.long(self.crowd.steps());
+        to.word(self.coming as u32);
+        to.list(self.pending.keys(), |to, id| to.word(id.0));
+        let late: Vec<u32> = (0..self.late.len() as u32).filter(|c| self.late[*c as usize]).collect();
+        to.list(late.iter(), |to, crossing| to.word(*crossing));
+        to.list(self.journeys.iter(), |to, (id, journey)| {
+            to.word(id.0);
+            self.crowd.save(*id, to);
+            journey.save(to);
+        });
     }
 
     /// All that decides on what follows, as numbers.
@@ -105,7 +138,12 @@ impl Foot {
 impl Traffic {
     /// People ask to cross, as they stand, and leave the crossings that are behind them.
     pub(crate) fn cross(&mut self) {
-        self.blocks.clear();
+        self.blocks.clone_from(&self.obstructed);
+        self.cross_all();
+        self.blocks.sort_by(|a, b| a.span.link.cmp(&b.span.link).then(a.span.from.total_cmp(&b.span.from)));
+    }
+
+    fn cross_all(&mut self) {
         if self.foot.crowd.is_empty() && !self.foot.claims.contains(&true) {
             return;
         }
@@ -118,7 +156,6 @@ impl Traffic {
             }
         }
         self.foot.journeys = journeys;
-        self.blocks.sort_by(|a, b| a.span.link.cmp(&b.span.link).then(a.span.from.total_cmp(&b.span.from)));
     }
 
     /// One on foot before or on a passage asks, goes, or leaves it.
@@ -208,6 +245,50 @@ impl Traffic {
         }
     }
 
+    /// Reads those on foot.
+    pub(crate) fn read_foot(&mut self, from: &mut Reader) -> Result<(), SaveError> {
+        let wrong = |name| SaveError::Wrong(name);
+        let network = self.network.clone();
+        let foot = &mut self.foot;
+        let walks = foot.walks.clone();
+        foot.crowd.clear(from.long()?);
+        foot.coming = from.below(walks.len() + 1, "next walk")? as usize;
+        let way = |foot: &Foot, id: u32| foot.way(&network, &walks[id as usize]).ok_or(wrong("walk"));
+        let waiting = from.list(|from| from.below(walks.len(), "walk"))?;
+        foot.pending.clear();
+        for id in waiting {
+            let way = way(foot, id)?;
+            foot.pending.insert(PersonId(id), way);
+        }
+        foot.late.fill(false);
+        for crossing in from.list(|from| from.below(network.crosswalks.len(), "crossing"))? {
+            foot.late[crossing as usize] = true;
+        }
+        foot.claimed.fill(false);
+        foot.claims.fill(false);
+        foot.on.fill(0);
+        foot.journeys.clear();
+        for _ in 0..from.word()? {
+            let id = from.below(walks.len(), "walk")?;
+            let (way, passages) = way(foot, id)?;
+            let walker = Walker::read(PersonId(id), way, from)?;
+            let journey = Journey::read(passages, from)?;
+            if foot.pending.contains_key(&walker.id) || foot.journeys.contains_key(&walker.id) {
+                return Err(wrong("walk"));
+            }
+            if journey.on {
+                let crossings = journey.passages[journey.next].crossings.iter();
+                crossings.for_each(|c| foot.on[*c as usize] += 1);
+            }
+            foot.crowd.insert(walker);
+            foot.journeys.insert(PersonId(id), journey);
+        }
+        for (walk, on) in network.crosswalks.iter().zip(&foot.on) {
+            self.roads.cross(walk.junction as usize, walk.row, *on > 0);
+        }
+        Ok(())
+    }
+
     /// A step on foot: people walk, arrive, and set out.
     pub(crate) fn walk(&mut self) {
         if self.foot.walks.is_empty() {
@@ -238,8 +319,7 @@ impl Traffic {
             }
             self.foot.coming += 1;
             let person = PersonId(number);
-            let (Some(ground), Some(router)) = (&self.foot.ground, &self.foot.router) else { continue };
-            match journey::way(&self.network, ground, router, &walk) {
+            match self.foot.way(&self.network, &walk) {
                 Some(way) => _ = self.foot.pending.insert(person, way),
                 None => self.events.push(TrafficEvent::NoWalk { person }),
             }

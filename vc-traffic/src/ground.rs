@@ -2,6 +2,7 @@
 //! parts on which that does not help.
 
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 use vc_map::{EntranceId, Point, Polyline, StreetMap, StripKind, Turn, Users, WalkEdge, WalkKind};
 
@@ -68,14 +69,13 @@ pub(crate) struct Path {
 pub(crate) struct Ground {
     /// By the edges of the map.
     pub(crate) paths: Vec<Path>,
-    links: Links,
+    links: Arc<Links>,
 }
 
 impl Ground {
     /// Costs a look at the links around each half metre of the walkable network.
-    pub(crate) fn new(network: &Network) -> Self {
+    pub(crate) fn new(network: &Network, links: Arc<Links>) -> Self {
         let map = &network.map;
-        let links = Links::new(network);
         let mut doors: BTreeMap<usize, Vec<Point>> = BTreeMap::new();
         for door in map.entrances() {
             doors.entry(door.edge.map_or(usize::MAX, vc_map::WalkEdgeId::index)).or_default().push(door.door);
@@ -132,7 +132,7 @@ fn layers(map: &StreetMap, edge: &WalkEdge) -> Vec<i8> {
 }
 
 /// The links of motor vehicles, to be found by their places.
-struct Links {
+pub(crate) struct Links {
     cells: BTreeMap<[i32; 2], Vec<u32>>,
     /// For each link its line, half its width, how far ways keep off it, and its layer.
     lines: Vec<Option<(Polyline, f64, f64, i8)>>,
@@ -149,7 +149,7 @@ struct Near {
 }
 
 impl Links {
-    fn new(network: &Network) -> Self {
+    pub(crate) fn new(network: &Network) -> Self {
         let map = &network.map;
         let driven = |users: Users| users.any(Users::CAR | Users::BUS);
         let layer = |lane: vc_map::LaneId| {
@@ -192,6 +192,13 @@ impl Links {
             Some(Near { link, off, clear: off >= *clear, station: place.station })
         };
         near.into_iter().filter_map(of).collect()
+    }
+
+    /// The links on some layers of which the middle comes within some metres of a point, at most 3.5, with the stations there.
+    pub(crate) fn within(&self, at: &Point, layers: &[i8], metres: f64) -> Vec<(u32, f64)> {
+        let half = |link: u32| self.lines[link as usize].as_ref().map_or(0.0, |(_, half, ..)| *half);
+        let near = self.around(at, layers).into_iter().filter(|near| near.off + half(near.link) < metres);
+        near.map(|near| (near.link, near.station)).collect()
     }
 
     /// A line beside another that is clear of vehicles as far as possible, and not farther aside than it takes.

@@ -5,9 +5,11 @@ use std::sync::Arc;
 use vc_map::route::{Leg, Router};
 use vc_map::{Polyline, WalkKind};
 
+use crate::bytes::{Reader, Writer};
 use crate::crowd::{RADIUS, Way};
 use crate::ground::{Ground, Over, Path};
 use crate::network::Network;
+use crate::save::SaveError;
 use crate::trip::Walk;
 
 /// A part of somebody's way on which vehicles go: crossings with no room to wait between them, or one where there is none.
@@ -31,6 +33,24 @@ pub(crate) struct Journey {
     pub(crate) waits: f32,
     pub(crate) since: f32,
     pub(crate) speed: f32,
+}
+
+impl Journey {
+    pub(crate) fn save(&self, to: &mut Writer) {
+        to.word(self.next as u32);
+        to.word(u32::from(self.on));
+        to.reals([self.waits, self.since, self.speed]);
+    }
+
+    pub(crate) fn read(passages: Arc<[Passage]>, from: &mut Reader) -> Result<Self, SaveError> {
+        let next = from.below(passages.len() + 1, "passage")? as usize;
+        let on = from.below(2, "passage")? == 1;
+        let [waits, since, speed] = from.reals("number of a person")?;
+        if on && next == passages.len() {
+            return Err(SaveError::Wrong("passage"));
+        }
+        Ok(Self { passages, next, on, waits, since, speed })
+    }
 }
 
 /// A way that is put together.

@@ -8,6 +8,7 @@
 
 mod advance;
 mod block;
+mod bytes;
 mod change;
 mod class;
 mod crossing;
@@ -18,16 +19,22 @@ mod fleet;
 mod follow;
 mod foot;
 mod ground;
+mod hook;
 mod journey;
 mod network;
+mod obstacle;
 mod pose;
 mod right_of_way;
 mod roads;
+mod save;
 mod traffic;
 mod trip;
 
 pub use class::{ClassError, VehicleClass};
 pub use crowd::{Crowd, Walker, Way};
+pub use hook::{TakenPerson, TakenVehicle};
+pub use obstacle::Obstacle;
 pub use pose::Pose;
+pub use save::SaveError;
 pub use traffic::{Traffic, TrafficError, TrafficOptions};
 pub use trip::{Kerb, PersonId, TrafficEvent, Trip, VehicleId, Waiting, Walk};

@@ -226,6 +226,11 @@ impl Network {
         station * self.length[beside as usize] / self.length[lane as usize]
     }
 
+    /// The station on a link, or on a lane beside it, metres.
+    pub(crate) fn on_or_across(&self, station: f32, link: u32, other: u32) -> f32 {
+        if link == other { station } else { self.across(station, link, other) }
+    }
+
     /// A movement from a lane to a side of a road: the first, if there are several.
     pub(crate) fn towards(&self, lane: u32, side: u32, users: Users) -> Option<u32> {
         let fits = |link: &&u32| {

@@ -53,7 +53,7 @@ impl Pose {
     }
 
     /// By how much two bodies overlap along the axis on which they do least, metres; negative if they are apart.
-    fn overlap(&self, other: &Self) -> f64 {
+    pub(crate) fn overlap(&self, other: &Self) -> f64 {
         let half = |pose: &Self, axis: &Vector2<f64>| {
             let [forward, left] = pose.axes();
             let [length, width] = pose.size.map(|metres| f64::from(metres) / 2.0);
@@ -78,8 +78,11 @@ impl Traffic {
         let rear = self.rear(slot, f64::from(station - class.length));
         let forward = (front - rear).try_normalize(1e-3).unwrap_or(along);
         let aside = Vector2::new(-forward.y, forward.x) * f64::from(fleet.aside[i]);
+        // In turns it swings out by half of what its middle would cut off.
+        let middle = nalgebra::center(&front, &rear);
+        let swing = (self.rear(slot, f64::from(station - class.length / 2.0)) - middle) / 2.0;
         Pose {
-            at: front - forward * f64::from(class.length / 2.0) + aside,
+            at: front - forward * f64::from(class.length / 2.0) + aside + swing,
             heading: forward.y.angle_to(forward.x),
             speed: fleet.v[i],
             class: fleet.class[i],
@@ -90,7 +93,7 @@ impl Traffic {
         }
     }
 
-    /// The point at a station before that of a vehicle's front, on the way that it came.
+    /// The point at a station that its front has passed, on the way that a vehicle came.
     fn rear(&self, slot: u32, station: f64) -> Point {
         let (network, fleet) = (&self.network, &self.fleet);
         let i = slot as usize;

@@ -214,7 +214,7 @@ impl Traffic {
         let go = if self.is_clear(junction, one.row, one.link) {
             self.roads.take(&network, one.link);
             Go::Over
-        } else if self.can_wait_inside(junction, one) {
+        } else if self.can_wait_inside(one) {
             self.roads.wait(&network, movement, true);
             Go::Inside
         } else {
@@ -265,7 +265,7 @@ impl Traffic {
     }
 
     /// Whether one can go as far as the place within the junction where one waits for others: all in the way are beyond it.
-    fn can_wait_inside(&self, junction: usize, one: &Candidate) -> bool {
+    fn can_wait_inside(&self, one: &Candidate) -> bool {
         let network = &self.network;
         let movement = network.movement(one.link);
         if network.hold[movement] == 0.0
@@ -275,13 +275,21 @@ impl Traffic {
         {
             return false;
         }
+        self.can_wait_on(one.link)
+    }
+
+    /// Whether nobody is in the way of who waits on a movement within a junction.
+    pub(crate) fn can_wait_on(&self, link: u32) -> bool {
+        let network = &self.network;
+        let movement = network.movement(link);
+        let (junction, own) = (network.junction[movement] as usize, network.row[movement] as usize);
         let table = &network.map.junctions()[junction].conflicts;
         let there = |row: usize| {
             let waits = |link: &u32| self.roads.waiting[network.movement(*link)] > 0;
             self.roads.is_busy(junction, row) || network.rows[junction].get(row).is_some_and(waits)
         };
         let beyond = |row: usize| network.beyond[movement].get(row).copied().unwrap_or(false);
-        (0..table.size()).all(|row| !table.has(one.row, row) || beyond(row) || !there(row))
+        (0..table.size()).all(|row| !table.has(own, row) || beyond(row) || !there(row))
     }
 
     /// The length of a vehicle, metres.

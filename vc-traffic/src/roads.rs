@@ -2,6 +2,7 @@
 
 use std::collections::VecDeque;
 
+use crate::bytes::Writer;
 use crate::fleet::Fleet;
 use crate::follow::Driver;
 use crate::network::{NONE, Network};
@@ -145,6 +146,41 @@ impl Roads {
         let position = self.position(fleet, link, fleet.s[slot as usize]);
         self.used[link as usize / 64] |= 1 << (link % 64);
         self.queue[link as usize].insert(position, slot);
+    }
+
+    /// Sets the queue of a link.
+    pub(crate) fn set_queue(&mut self, link: u32, queue: Vec<u32>) {
+        self.used[link as usize / 64] |= 1 << (link % 64);
+        self.queue[link as usize] = queue.into();
+    }
+
+    /// Writes all that does not follow from the vehicles.
+    pub(crate) fn save(&self, to: &mut Writer) {
+        fn some<T>(list: &[T], to: &mut Writer, has: impl Fn(&T) -> bool, write: impl Fn(&mut Writer, &T)) {
+            let items: Vec<_> = list.iter().enumerate().filter(|(_, item)| has(item)).collect();
+            to.list(items.into_iter(), |to, (number, item)| {
+                to.word(number as u32);
+                write(to, item);
+            });
+        }
+        some(&self.queue, to, |queue| !queue.is_empty(), |to, queue| to.list(queue.iter(), |to, slot| to.word(*slot)));
+        some(&self.leaving, to, |list| !list.is_empty(), |to, list| to.list(list.iter(), |to, slot| to.word(*slot)));
+        some(&self.last, to, |slot| *slot != NONE, |to, slot| to.word(*slot));
+        some(
+            &self.left,
+            to,
+            |left| left.1 != NONE,
+            |to, left| {
+                to.word(left.0);
+                to.word(left.1);
+                to.reals([left.2]);
+            },
+        );
+        to.list(self.covers.iter(), |to, (slot, link, until)| {
+            to.word(*slot);
+            to.word(*link);
+            to.reals([*until]);
+        });
     }
 
     /// Notes that somebody, so far along, leaves a link at its end.

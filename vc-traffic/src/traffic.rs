@@ -14,10 +14,14 @@ use crate::crowd::Walker;
 use crate::fleet::Fleet;
 use crate::follow::Driver;
 use crate::foot::Foot;
+use crate::ground::Links;
 use crate::network::{NONE, Network};
 use crate::roads::Roads;
 use crate::trip::{PersonId, TrafficEvent, Trip, VehicleId, Waiting, Walk};
-use crate::{Pose, VehicleClass};
+use crate::{Obstacle, Pose, VehicleClass};
+
+/// Who stands so near before somebody or something waits for that, metres.
+const NEAR: f32 = 5.0;
 
 /// Settings of traffic.
 #[derive(Debug, Clone, PartialEq)]
@@ -49,6 +53,14 @@ pub enum TrafficError {
     Trip {
         /// The vehicle.
         vehicle: VehicleId,
+        /// The reason.
+        reason: String,
+    },
+    /// An obstacle is nowhere, or too small or large.
+    #[error("obstacle {number}: {reason}")]
+    Obstacle {
+        /// Its position in the list.
+        number: usize,
         /// The reason.
         reason: String,
     },
@@ -115,8 +127,11 @@ pub struct Traffic {
     /// The slot of each vehicle on the road.
     pub(crate) slots: BTreeMap<VehicleId, u32>,
     pub(crate) foot: Foot,
-    /// The parts of links that are taken up, by link.
+    /// The parts of links that are taken up, by link; those of obstacles, and these.
     pub(crate) blocks: Vec<Block>,
+    pub(crate) obstructed: Vec<Block>,
+    pub(crate) obstacles: Vec<Obstacle>,
+    pub(crate) links: Option<Arc<Links>>,
 }
 
 impl Traffic {
@@ -160,6 +175,9 @@ impl Traffic {
             slots: BTreeMap::new(),
             foot: Foot::none(map, options.step),
             blocks: Vec::new(),
+            obstructed: Vec::new(),
+            obstacles: Vec::new(),
+            links: None,
         })
     }
 
@@ -182,7 +200,8 @@ impl Traffic {
             };
             return Err(TrafficError::Walk { person: PersonId(number as u32), reason });
         }
-        self.foot.set(&self.network, walks);
+        let links = self.links();
+        self.foot.set(&self.network, links, walks);
         Ok(self)
     }
 
@@ -261,6 +280,7 @@ impl Traffic {
         }
         hasher.words(self.pending.values().flatten().map(|trip| u64::from(*trip)));
         hasher.words(self.foot.words());
+        hasher.reals(self.obstacles.iter().flat_map(|of| [of.at[0], of.at[1], of.radius, f32::from(of.layer)]));
         hasher.digest()
     }
 
@@ -298,6 +318,9 @@ impl Traffic {
         let i = slot as usize;
         let link = fleet.link[i];
         let first = self.roads.queue[link as usize].front() == Some(&slot);
+        if self.gap_to_block(slot, link, fleet.s[i]).is_some_and(|gap| gap < NEAR) {
+            return Waiting::Blocked;
+        }
         if !first || !network.is_lane(link) {
             return Waiting::Queue;
         }

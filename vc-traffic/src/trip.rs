@@ -139,6 +139,8 @@ pub enum Waiting {
     Others,
     /// There is no room behind the junction.
     NoRoom,
+    /// Somebody crosses the road before it, or an obstacle is there.
+    Blocked,
     /// It is not in a lane of its way.
     WrongLane,
 }

@@ -78,7 +78,9 @@ impl Crowd {
             let away = them.at - own.at;
             let square = away.norm_squared();
             if square < SIGHT * SIGHT && other != place {
-                nearest.add(square, other as u32, people);
+                let wide = them.radius != RADIUS;
+                let near = if wide { (square.sqrt() - them.radius + RADIUS).max(0.0).powi(2) } else { square };
+                nearest.add(near, other as u32, people);
                 room.see(piece, &away, them);
             }
         }
@@ -115,14 +117,16 @@ impl Crowd {
         }
         for (number, (square, other)) in nearest.all().iter().enumerate() {
             let them = &people[*other as usize];
-            let (away, distance) = (them.at - own.at, square.sqrt());
-            if distance < reach(most) {
+            let (away, near) = (them.at - own.at, square.sqrt());
+            let distance = if them.radius == RADIUS { near } else { away.norm().max(1e-3) };
+            let both = RADIUS + them.radius;
+            if near < reach(most) {
                 // Each comes nearer by at most half of what is between them.
-                let gap = (distance - 2.0 * RADIUS).max(0.0);
+                let gap = (distance - both).max(0.0);
                 planes.hard.push(HalfPlane { normal: -away / distance, least: -gap / (2.0 * self.dt) });
             }
             if number < AVOIDED && !impatient {
-                let apart = 2.0 * RADIUS + MARGIN;
+                let apart = both + MARGIN;
                 let time = if distance < apart { TOO_NEAR } else { AHEAD };
                 planes.soft.push(orca::avoid(&own.velocity, &away, &(own.velocity - them.velocity), apart, time));
             }

@@ -17,10 +17,15 @@ use choice::Planes;
 use near::Seen;
 pub use way::Way;
 
+use crate::bytes::{Reader, Writer};
+use crate::network::NONE;
+use crate::save::SaveError;
 use crate::trip::PersonId;
 
 /// The radius of a body, metres.
 pub(crate) const RADIUS: f32 = 0.2;
+/// Bodies may overlap by so much, metres.
+const ROUNDING: f32 = 0.005;
 /// One comes on who goes so fast along the way, and waits who is so near to where one does; metres per second, metres.
 const COMES_ON: f32 = 0.2;
 const WAITS: f32 = 0.3;
@@ -52,6 +57,25 @@ impl Walker {
     pub fn new(id: PersonId, way: Arc<Way>, station: f32, left: f32, speed: f32) -> Self {
         let (at, piece) = (way.at(station, left), way.piece(station) as u32);
         Self { id, way, at, velocity: [0.0; 2], speed, stop: f32::INFINITY, back: f32::NEG_INFINITY, stood: 0.0, piece }
+    }
+
+    /// Finds the piece of the way on which they are; false if they are beside it.
+    pub(crate) fn is_put_on_way(&mut self) -> bool {
+        let at = Point2::from(self.at);
+        let on = |piece: &way::Piece| {
+            let (station, aside) = piece.place(&at);
+            (0.0..=piece.length).contains(&station) && aside.abs() <= piece.half - RADIUS
+        };
+        let piece = self.way.pieces.iter().position(on);
+        self.piece = piece.unwrap_or(0) as u32;
+        piece.is_some() && self.velocity.iter().all(|metres| metres.is_finite())
+    }
+
+    pub(crate) fn read(id: PersonId, way: Arc<Way>, from: &mut Reader) -> Result<Self, SaveError> {
+        let [x, y, vx, vy, speed, stood] = from.reals("number of a person")?;
+        let (stop, back) = (from.bound("number of a person")?, from.bound("number of a person")?);
+        let piece = from.below(way.pieces.len(), "place on a way")?;
+        Ok(Self { id, way, at: [x, y], velocity: [vx, vy], speed, stop, back, stood, piece })
     }
 
     /// How far along the way they are, metres.
@@ -104,6 +128,8 @@ pub struct Crowd {
     stood: Vec<f32>,
     steps: u64,
     seen: Vec<Seen>,
+    /// Discs that people walk around: places and radii, metres.
+    discs: Vec<(Point2<f32>, f32)>,
 }
 
 impl Crowd {
@@ -125,6 +151,7 @@ impl Crowd {
             stood: Vec::new(),
             steps: 0,
             seen: Vec::new(),
+            discs: Vec::new(),
         }
     }
 
@@ -138,12 +165,19 @@ impl Crowd {
     /// Adds somebody. False, and nothing happens, if their number is taken or somebody stands there. Costs a look at everybody.
     pub fn add(&mut self, walker: Walker) -> bool {
         let at = Point2::from(walker.at);
-        let apart = 4.0 * RADIUS * RADIUS;
+        let apart = (2.0 * RADIUS - ROUNDING) * (2.0 * RADIUS - ROUNDING);
         let taken = |slot: &u32| (self.at[*slot as usize] - at).norm_squared() < apart;
         if self.slots.contains_key(&walker.id) || self.slots.values().any(taken) {
             return false;
         }
-        let Walker { id, way, velocity, speed, stop, back, stood, piece, .. } = walker;
+        self.insert(walker);
+        true
+    }
+
+    /// Puts somebody where they are.
+    pub(crate) fn insert(&mut self, walker: Walker) {
+        let Walker { id, way, at, velocity, speed, stop, back, stood, piece } = walker;
+        let at = Point2::from(at);
         let slot = self.free.pop().unwrap_or(self.id.len() as u32);
         let i = slot as usize;
         if i == self.id.len() {
@@ -162,7 +196,24 @@ impl Crowd {
             (self.stop[i], self.back[i], self.stood[i]) = (stop, back, stood);
         }
         self.slots.insert(id, slot);
-        true
+    }
+
+    /// The number of steps since it began.
+    pub(crate) fn steps(&self) -> u64 {
+        self.steps
+    }
+
+    /// Takes everybody out, and counts steps from a number on.
+    pub(crate) fn clear(&mut self, steps: u64) {
+        (self.slots, self.free, self.steps) = (BTreeMap::new(), (0..self.id.len() as u32).collect(), steps);
+    }
+
+    /// Writes somebody.
+    pub(crate) fn save(&self, id: PersonId, to: &mut Writer) {
+        let Some(i) = self.slots.get(&id).map(|slot| *slot as usize) else { return };
+        let (at, velocity) = (self.at[i], self.velocity[i]);
+        to.reals([at.x, at.y, velocity.x, velocity.y, self.speed[i], self.stood[i], self.stop[i], self.back[i]]);
+        to.word(self.piece[i]);
     }
 
     /// Takes somebody out; added again at once they go on as if nothing had been.
@@ -208,6 +259,11 @@ impl Crowd {
         (self.stop[slot as usize], self.speed[slot as usize]) = (stop, speed);
     }
 
+    /// Sets the discs that people walk around.
+    pub(crate) fn set_discs(&mut self, discs: Vec<(Point2<f32>, f32)>) {
+        self.discs = discs;
+    }
+
     /// The slots of all, in the order of their numbers.
     pub(crate) fn slots(&self) -> Vec<u32> {
         self.slots.values().copied().collect()
@@ -244,12 +300,17 @@ impl Crowd {
             let i = *slot as usize;
             Seen::new(id.0, *slot, self.at[i], self.velocity[i])
         }));
+        seen.extend(
+            self.discs.iter().enumerate().map(|(number, (at, radius))| Seen::disc(number as u32, *at, *radius)),
+        );
         let mut chosen = vec![Vector2::zeros(); seen.len()];
         let mut planes = Planes::default();
         near::around(&mut seen, |people, place, rows| {
-            chosen[place] = self.choose(people, place, rows, &mut planes);
+            if people[place].slot != NONE {
+                chosen[place] = self.choose(people, place, rows, &mut planes);
+            }
         });
-        for (one, velocity) in seen.iter().zip(&chosen) {
+        for (one, velocity) in seen.iter().zip(&chosen).filter(|(one, _)| one.slot != NONE) {
             let i = one.slot as usize;
             self.velocity[i] = *velocity;
             self.at[i] += velocity * self.dt;

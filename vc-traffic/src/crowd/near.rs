@@ -2,6 +2,9 @@
 
 use nalgebra::{Point2, Vector2};
 
+use super::RADIUS;
+use crate::network::NONE;
+
 /// People see each other this far, metres: the side of a cell.
 pub(super) const SIGHT: f32 = 4.0;
 /// Somebody heeds at most so many others, the nearest.
@@ -15,16 +18,29 @@ pub(super) struct Seen {
     pub(super) slot: u32,
     pub(super) at: Point2<f32>,
     pub(super) velocity: Vector2<f32>,
+    pub(super) radius: f32,
 }
 
 impl Seen {
     pub(super) fn new(id: u32, slot: u32, at: Point2<f32>, velocity: Vector2<f32>) -> Self {
         // Rows come first, so that cells side by side follow each other.
-        Self { cell: ((at.y / SIGHT).floor() as i32, (at.x / SIGHT).floor() as i32), id, slot, at, velocity }
+        Self {
+            cell: ((at.y / SIGHT).floor() as i32, (at.x / SIGHT).floor() as i32),
+            id,
+            slot,
+            at,
+            velocity,
+            radius: RADIUS,
+        }
+    }
+
+    /// A disc that stands: its number, place and radius.
+    pub(super) fn disc(number: u32, at: Point2<f32>, radius: f32) -> Self {
+        Self { radius, ..Self::new(u32::MAX - number, NONE, at, Vector2::zeros()) }
     }
 }
 
-/// The nearest others, with the squares of their distances.
+/// The nearest others, with the squares of their distances; of larger discs as if they were people as near.
 #[derive(Clone, Copy)]
 pub(super) struct Nearest {
     list: [(f32, u32); MOST],
@@ -71,7 +87,8 @@ pub(super) fn around(people: &mut [Seen], mut each: impl FnMut(&[Seen], usize, [
         let cell = people[place].cell;
         if last != Some(cell) {
             for (row, below) in rows.iter_mut().zip(-1..=1) {
-                let (first, beyond) = ((cell.0 + below, cell.1 - 1), (cell.0 + below, cell.1 + 2));
+                let y = cell.0.saturating_add(below);
+                let (first, beyond) = ((y, cell.1.saturating_sub(1)), (y, cell.1.saturating_add(2)));
                 // Cells come in order, so that rows only move on.
                 let ahead = |from: usize, to: (i32, i32)| {
                     from + people[from..].iter().position(|seen| seen.cell >= to).unwrap_or(people.len() - from)

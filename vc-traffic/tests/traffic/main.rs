@@ -6,6 +6,7 @@ mod crowd;
 mod extracts;
 mod foot;
 mod grid;
+mod hooks;
 mod people;
 mod rules;
 mod streets;
