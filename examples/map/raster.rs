@@ -19,6 +19,11 @@ pub(crate) fn scale(drawing: &Drawing, asked: f64) -> f64 {
 
 /// A drawing as PNG, with a scale in pixels for a metre.
 pub(crate) fn png(drawing: &Drawing, scale: f64) -> Result<Vec<u8>, Complaint> {
+    encode(&canvas(drawing, scale)?)
+}
+
+/// A drawing as pixels, with so many for a metre.
+pub(crate) fn canvas(drawing: &Drawing, scale: f64) -> Result<Pixmap, Complaint> {
     let [low, high] = drawing.bounds;
     let side = |metres: f64| (metres * scale).clamp(1.0, LARGEST) as u32;
     let mut canvas = Pixmap::new(side(high.x - low.x), side(high.y - low.y))
@@ -46,10 +51,10 @@ pub(crate) fn png(drawing: &Drawing, scale: f64) -> Result<Vec<u8>, Complaint> {
     }
     drawing.texts.iter().for_each(|text| name(&mut canvas, drawing, text, scale));
     legend(&mut canvas, drawing, scale);
-    encode(&canvas)
+    Ok(canvas)
 }
 
-fn brush(colour: Colour) -> Brush<'static> {
+pub(crate) fn brush(colour: Colour) -> Brush<'static> {
     let mut brush = Brush::default();
     brush.set_color_rgba8(colour[0], colour[1], colour[2], 255);
     brush.anti_alias = true;
