@@ -7,7 +7,7 @@ use vc_graph::NodeId;
 use vc_graph::space::{RegionId, RegionKind};
 
 use super::City;
-use super::measures::{DEEPEST, FALLS};
+use super::measures::{DEEPEST, FALLS, STEP};
 use super::things::{Gate, loose};
 use crate::Environment;
 
@@ -24,13 +24,13 @@ impl City {
         let is_beside = |id: &NodeId| {
             let at = there.world().body(*id).ok()?.centre_of_mass();
             let is_at_portal = gates.iter().any(|gate: &Gate| gate.beyond(&at).is_some());
-            (!is_at_portal && ground(there, &at, *id).is_none()).then_some(at)
+            (!is_at_portal && ground(there, &at, &there.graph().carried_with(*id)).is_none()).then_some(at)
         };
         let carried = |id: &NodeId| there.carrier(*id) == *id;
         let alone = falling.into_iter().filter(carried);
         let out: Vec<(NodeId, Point3<f32>)> = alone.filter_map(|id| Some((id, is_beside(&id)?))).collect();
         for (thing, at) in out {
-            let Some(into) = self.region_below(region, &at, thing) else { continue };
+            let Some(into) = self.region_below(region, &at) else { continue };
             let Some(shift) = self.pose_in(into, region) else { continue };
             let room = self.seen(into).ok().and_then(|there| room_at(&there, &(shift * at)));
             // Where nothing can take it, it falls to the end of its own region, which tells of it.
@@ -39,11 +39,13 @@ impl City {
     }
 
     /// The region of the same building that has the highest thing below a point of a region.
-    fn region_below(&self, from: RegionId, at: &Point3<f32>, thing: NodeId) -> Option<RegionId> {
+    fn region_below(&self, from: RegionId, at: &Point3<f32>) -> Option<RegionId> {
         let mut found: Option<(f32, RegionId)> = None;
         for region in self.of_building(from).into_iter().filter(|region| *region != from) {
-            let (Some(back), Ok(there)) = (self.pose_in(from, region), self.seen(region)) else { continue };
-            let Some(below) = ground(&there, &(back.inverse() * at), thing).map(|hit| (back * hit).z) else { continue };
+            // A storey above is not made to be looked at.
+            let back = self.pose_in(from, region).filter(|back| back.translation.z < at.z + STEP);
+            let (Some(back), Some(there)) = (back, back.and_then(|_| self.seen(region).ok())) else { continue };
+            let Some(below) = ground(&there, &(back.inverse() * at), &[]).map(|hit| (back * hit).z) else { continue };
             if found.is_none_or(|(height, _)| below > height) {
                 found = Some((below, region));
             }
@@ -67,8 +69,8 @@ impl City {
 }
 
 /// The point of a region's own things that is below a point.
-fn ground(there: &Environment, at: &Point3<f32>, but: NodeId) -> Option<Point3<f32>> {
-    let (hit, point) = there.world().ray(*at, at - DEEPEST * Vector3::z(), &[but])?;
+fn ground(there: &Environment, at: &Point3<f32>, but: &[NodeId]) -> Option<Point3<f32>> {
+    let (hit, point) = there.world().ray(*at, at - DEEPEST * Vector3::z(), but)?;
     there.graph().node(hit).map(|_| point)
 }
 

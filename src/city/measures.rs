@@ -89,3 +89,5 @@ pub(super) const FIGURES: usize = 8;
 /// The speed, in metres a second, beyond which something falls, and the greatest depth to which it may, metres.
 pub(super) const FALLS: f32 = 1.0;
 pub(super) const DEEPEST: f32 = 1000.0;
+/// Nothing of a region is lower than its frame by so much, metres.
+pub(super) const STEP: f32 = 0.5;

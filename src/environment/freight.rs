@@ -103,6 +103,8 @@ impl Environment {
     pub(super) fn let_in(&mut self, load: &Load, changes: &ChangeSet) -> Result<(), TravelError> {
         let nodes: Vec<NodeId> = load.ids().collect();
         self.clock.note(changes.clone());
+        let moving: Vec<NodeId> = nodes.iter().copied().filter(|id| !self.world.rests(&[*id])).collect();
+        self.clock.set_adrift(&moving);
         self.excuse(&nodes);
         Ok(self.read_anew(&nodes)?)
     }

@@ -105,7 +105,9 @@ impl Environment {
         let pushed = self.world.push(thing, impulse, at);
         pushed.map_err(|why| PhysicalRefusal::from(why).in_scene(&self.graph))?;
         (self.clock.stirred, self.clock.unseen) = (true, true);
-        self.excuse(&self.graph.carried_with(thing));
+        let pushed = self.graph.carried_with(thing);
+        self.clock.set_adrift(&pushed);
+        self.excuse(&pushed);
         Ok(())
     }
 }

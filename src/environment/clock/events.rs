@@ -399,6 +399,7 @@ impl Environment {
         let others = |id: &NodeId| *id != agent && self.graph.agents().contains(id);
         let stale: Vec<NodeId> = self.clock.changed.iter().copied().filter(others).collect();
         truth.excuse(&stale);
+        truth.excuse(&Vec::from_iter(self.clock.adrift.iter().copied()));
         let changes = truth.changes.clone();
         let before = std::mem::replace(&mut self.graph, truth.ruled.clone());
         schedule.truth = Some(truth);

@@ -23,7 +23,7 @@ mod schedule;
 mod show;
 mod track;
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use vc_graph::clock::{Running, Span, Tick};
 use vc_graph::{Action, ChangeSet, Event, Label, NodeId, SceneGraph};
@@ -54,6 +54,8 @@ pub(super) struct Clock {
     /// Nodes that the rule has put elsewhere since relations were read last, and whether bodies have moved since then.
     pub(super) changed: Vec<NodeId>,
     pub(super) unseen: bool,
+    /// Things that were pushed, or came, and whose poses are not read since: no action answers for them.
+    adrift: BTreeSet<NodeId>,
     /// The scene as relations have read it, while the graph differs.
     read: Option<SceneGraph>,
     endings: Vec<Ending>,
@@ -82,6 +84,11 @@ impl Clock {
     /// The changes of the graph since the last action, which are told now.
     pub(super) fn take_journal(&mut self) -> ChangeSet {
         std::mem::take(&mut self.journal)
+    }
+
+    /// Something moves that no agent has moved.
+    pub(super) fn set_adrift(&mut self, things: &[NodeId]) {
+        self.adrift.extend(things);
     }
 
     /// Something has changed the scene, and relations have read it: other processes may go on.

@@ -77,6 +77,8 @@ impl Environment {
         self.clock.read = None;
         let fallen = astray::fell_out(&self.world, &seen);
         self.clock.note(seen);
+        let world = &self.world;
+        self.clock.adrift.retain(|thing| !world.rests(&[*thing]));
         self.read_doors(&met);
         for truth in self.clock.running.values_mut().filter_map(|schedule| schedule.truth.as_mut()) {
             truth.met.extend(&met);

@@ -6,8 +6,11 @@ use std::sync::Arc;
 use virtualcity::graph::asset::Shape;
 use virtualcity::graph::clock::Span;
 use virtualcity::graph::space::{RegionId, Space};
-use virtualcity::graph::{AssetLibrary, Draft, NodeId, ObjectRole, Pose, SceneBuilder, SceneGraph, Seed};
+use virtualcity::graph::{
+    Action, Asset, AssetLibrary, Draft, NodeId, ObjectRole, Pose, SceneBuilder, SceneGraph, Seed,
+};
 use virtualcity::nalgebra::{Point3, Vector3};
+use virtualcity::physics::BodyRole;
 use virtualcity::procgen::Building;
 use virtualcity::{City, RegionScenes};
 
@@ -15,12 +18,21 @@ use super::things::{asset, part};
 
 const RADIUS: f32 = 0.06;
 
-/// A building with a ball on the floor of a region.
+/// A building with a ball on the floor of a region, or in an open box there.
 #[derive(Clone)]
 struct WithBall {
     building: Arc<Building>,
     region: RegionId,
     at: Point3<f32>,
+    boxed: bool,
+}
+
+/// An open box on its base.
+fn open_box() -> Asset {
+    let wall = |half: [f32; 3], at: [f32; 3]| part(Shape::Box { half: half.into() }, at);
+    let [x, y] =
+        [0.12, -0.12].map(|at| [wall([0.01, 0.13, 0.1], [at, 0.0, 0.1]), wall([0.11, 0.01, 0.1], [0.0, at, 0.1])]);
+    asset([wall([0.13, 0.13, 0.01], [0.0, 0.0, 0.01])].into_iter().chain(x).chain(y).collect())
 }
 
 impl RegionScenes for WithBall {
@@ -38,8 +50,16 @@ impl RegionScenes for WithBall {
         let ball = library.add(asset(vec![part(Shape::Sphere { radius: RADIUS }, [0.0; 3])]))?;
         let numbers = self.space().region(region).ok_or("no region")?.numbers;
         let mut scene = SceneBuilder::from_graph(made);
+        let around = library.add(open_box())?;
         scene.assets(Arc::new(library)).numbers(numbers);
         let at = Pose::translation(self.at.x, self.at.y, self.at.z + RADIUS);
+        if self.boxed {
+            let at = Pose::translation(self.at.x, self.at.y, self.at.z);
+            let around = scene.add_on(floor, Draft { asset: Some(around), ..Draft::new("box") }.at(at))?;
+            let at = at * Pose::translation(0.0, 0.0, 0.02 + RADIUS);
+            scene.add_in(around, Draft { asset: Some(ball), ..Draft::new("ball") }.at(at))?;
+            return Ok(scene.build());
+        }
         scene.add_on(floor, Draft { asset: Some(ball), ..Draft::new("ball") }.at(at))?;
         Ok(scene.build())
     }
@@ -47,7 +67,7 @@ impl RegionScenes for WithBall {
 
 /// A city with a ball at a place of a region, which lies still.
 fn city(building: &Arc<Building>, region: RegionId, at: Point3<f32>) -> (City, NodeId) {
-    let scenes = WithBall { building: building.clone(), region, at };
+    let scenes = WithBall { building: building.clone(), region, at, boxed: false };
     let city = City::of(scenes).agents(0).make().unwrap();
     let ball = city.peek(region).unwrap().graph().of_class("ball")[0];
     (city, ball)
@@ -98,6 +118,47 @@ fn what_is_thrown_over_a_railing_lands_below() {
         assert_eq!(restored.digest(), city.digest());
     }
     assert!(in_yard >= 4, "{in_yard}");
+}
+
+/// Somebody who walks about meanwhile has no part in it: the thing lies where it has landed.
+#[test]
+fn what_lands_before_somebody_who_acts_stays_there() {
+    let building = Arc::new(Building::from_seed(Seed(7)).unwrap());
+    let gallery = building.storeys()[0].gallery;
+    let scenes = WithBall { building: building.clone(), region: gallery, at: Point3::new(0.0, 0.7, 0.0), boxed: false };
+    let mut city = City::of(scenes).agents(1).make().unwrap();
+    let (me, ball) = (city.agents().next().unwrap(), city.peek(gallery).unwrap().graph().of_class("ball")[0]);
+    city.go(me, building.yard()).unwrap();
+    let bush = city.peek(building.yard()).unwrap().graph().of_class("bush")[0];
+    city.give(me, Action::walk(bush)).unwrap();
+    throw(&mut city, ball, [1.2, -1.6, 6.0]);
+    let (region, at) = landed(&mut city, ball);
+    assert!(region == building.yard() && !at.is_empty(), "{region}, {at:?}");
+    let there = city.peek(region).unwrap();
+    let (middle, role) = (there.world().body(ball).unwrap().centre_of_mass(), there.world().role(ball));
+    assert!(middle.z < 1.0 && role == Some(BodyRole::Loose), "{middle}, {role:?}, at {at:?}");
+    assert_eq!(city.validate().unwrap(), []);
+}
+
+/// What is in a box goes along with it, and what flies far lies on the ground there.
+#[test]
+fn what_is_in_a_box_goes_along_and_what_flies_far_lies_there() {
+    let building = Arc::new(Building::from_seed(Seed(7)).unwrap());
+    let gallery = building.storeys()[2].gallery;
+    let boxed = WithBall { building: building.clone(), region: gallery, at: Point3::new(2.9, 0.6, 0.0), boxed: true };
+    let mut whole = City::of(boxed).agents(0).make().unwrap();
+    let things = ["box", "ball"].map(|class| whole.peek(gallery).unwrap().graph().of_class(class)[0]);
+    things.iter().for_each(|thing| throw(&mut whole, *thing, [0.2, -1.6, 6.0]));
+    for thing in things {
+        let (region, at) = landed(&mut whole, thing);
+        assert!(region == building.yard() && !at.is_empty(), "{thing} in {region}, {at:?}");
+    }
+    assert_eq!(whole.validate().unwrap(), []);
+    let (mut city, ball) = city(&building, building.yard(), Point3::new(0.0, -7.0, 0.0));
+    throw(&mut city, ball, [0.0, -7.0, 6.0]);
+    let (region, at) = landed(&mut city, ball);
+    assert!(region == building.yard() && !at.is_empty(), "{region}, {at:?}");
+    assert_eq!(city.validate().unwrap(), []);
 }
 
 /// A place on a balcony at its open side, and the way out there.

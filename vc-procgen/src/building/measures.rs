@@ -72,3 +72,5 @@ pub(super) const YARD: Area = Area { x0: -4.3, y0: -9.0, x1: 4.3, y1: 0.0 };
 pub(super) const PATH: (f32, f32) = (-0.9, 0.9);
 /// How far the ground of a building reaches beyond its walls, metres.
 pub(super) const PLOT: f32 = 3.0;
+/// How far it goes on beyond that unseen, metres: farther than anybody throws.
+pub(super) const BEYOND: f32 = 30.0;

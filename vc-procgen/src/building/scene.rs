@@ -80,7 +80,7 @@ impl Building {
             Part::Home(..) => Vec::new(),
             Part::Gallery(storey) => self.gallery(storey).items(&self.looks, maker),
             Part::Cabin => cabin::items(self.places.len(), &self.looks, maker),
-            Part::Yard => yard::items(&self.plot(), maker),
+            Part::Yard => yard::items(&self.plot(), &self.built_on(), maker),
         }
     }
 
@@ -89,6 +89,13 @@ impl Building {
         let homes = self.places.iter().flatten().flat_map(|place| place.outline.iter().copied());
         let tower = Area { y1: DECK.y1 + FLIGHT + LANDING, ..DECK };
         homes.chain([tower, YARD]).reduce(Area::around_both).unwrap_or(YARD).grown(PLOT)
+    }
+
+    /// Where homes and the gallery on the ground and the yard cover it.
+    fn built_on(&self) -> Vec<Area> {
+        let homes = self.places.first().into_iter().flatten();
+        let parts = homes.flat_map(|place| place.outline.iter().copied().chain([place.bridge]));
+        parts.chain([DECK, YARD]).collect()
     }
 
     fn shared(&self, part: Part) -> Shared {

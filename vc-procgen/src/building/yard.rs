@@ -4,8 +4,8 @@ use std::f32::consts::{FRAC_PI_2, PI};
 
 use vc_shapes::material::{GRASS, GRAVEL};
 
-use super::measures::{PATH, SLAB, YARD};
-use super::parts::{Maker, block, floor, placed};
+use super::measures::{BEYOND, PATH, SLAB, YARD};
+use super::parts::{Maker, block, built, floor, placed};
 use crate::area::Area;
 use crate::item::{Item, Support};
 
@@ -29,7 +29,7 @@ const THINGS: [(&str, f32, f32, f32); 9] = [
 const TREE: ([f32; 3], [f32; 3]) = ([2.3, -2.4, 0.0], [3.0, 3.0, 4.2]);
 
 /// The ground first, then all that stands on it.
-pub(super) fn items(plot: &Area, maker: Maker<'_>) -> Vec<Item> {
+pub(super) fn items(plot: &Area, built_on: &[Area], maker: Maker<'_>) -> Vec<Item> {
     let (y, z) = ((YARD.y0, YARD.y1), (-SLAB, 0.0));
     let ground =
         [block((YARD.x0, PATH.0), y, z, GRASS), block(PATH, y, z, GRAVEL), block((PATH.1, YARD.x1), y, z, GRASS)];
@@ -37,9 +37,50 @@ pub(super) fn items(plot: &Area, maker: Maker<'_>) -> Vec<Item> {
         Some(placed(maker.usual(class, nth)?, [x, y, 0.0], yaw, Support::Floor))
     });
     let tree = maker.sized("fruit_tree", TREE.1).map(|tree| placed(tree, TREE.0, 0.0, Support::Floor));
-    let below = floor(&[block((plot.x0, plot.x1), (plot.y0, plot.y1), (-2.0 * SLAB, -SLAB), GRAVEL)], &[]);
     let ground = floor(&ground, &[YARD]).into_iter();
-    ground.chain(hedges(maker)).chain(things).chain(tree).chain(below).collect()
+    ground.chain(hedges(maker)).chain(things).chain(tree).chain([below(plot, built_on, maker)]).collect()
+}
+
+/// The ground on which all stands. It is drawn where nothing is built, so that light falls on it as it does there, and goes on
+/// unseen beyond the plot for what rolls on.
+fn below(plot: &Area, built_on: &[Area], maker: Maker<'_>) -> Item {
+    let (low, high) = (-2.0 * SLAB, -SLAB);
+    built("floor", [0.0; 3], maker.style, |b| {
+        b.visual_only(|b| {
+            for area in free(plot, built_on) {
+                b.block("ground", [area.x0, area.y0, low], [area.x1, area.y1, high], GRAVEL);
+            }
+        });
+        let all = plot.grown(BEYOND);
+        b.collision_only(|b| b.block("ground", [all.x0, all.y0, low], [all.x1, all.y1, high], GRAVEL));
+    })
+}
+
+/// The parts of an area that none of some others cover, in rows.
+fn free(all: &Area, covered: &[Area]) -> Vec<Area> {
+    let cuts = |low: f32, high: f32, of: [fn(&Area) -> f32; 2]| {
+        let within = covered.iter().flat_map(|area| of.map(|side| side(area))).filter(|at| (low..high).contains(at));
+        let mut cuts: Vec<f32> = within.chain([low, high]).collect();
+        cuts.sort_by(f32::total_cmp);
+        cuts.dedup();
+        cuts
+    };
+    let (xs, ys) = (cuts(all.x0, all.x1, [|a| a.x0, |a| a.x1]), cuts(all.y0, all.y1, [|a| a.y0, |a| a.y1]));
+    let mut free: Vec<Area> = Vec::new();
+    for y in ys.windows(2) {
+        for x in xs.windows(2) {
+            let cell = Area { x0: x[0], y0: y[0], x1: x[1], y1: y[1] };
+            let (at_x, at_y) = cell.centre();
+            if covered.iter().any(|a| (a.x0..a.x1).contains(&at_x) && (a.y0..a.y1).contains(&at_y)) {
+                continue;
+            }
+            match free.last_mut().filter(|last| last.x1 == cell.x0 && last.y0 == cell.y0) {
+                Some(last) => last.x1 = cell.x1,
+                None => free.push(cell),
+            }
+        }
+    }
+    free
 }
 
 /// Hedges along three sides, two each.

@@ -74,8 +74,10 @@ impl Lighting {
         }
         // Above its ceiling and below its floor is the outside, even if another home stands there.
         let room = self.rooms.get(usize::from(own)).filter(|_| self.tracer.snapshot.is_joined);
-        let beyond = || room.is_some_and(|(low, high)| is_beyond(low, high, ahead, normal));
-        let open = || if beyond() || self.is_open(at, normal) { NO_ROOM } else { own };
+        if room.is_some_and(|(low, high)| is_beyond(low, high, ahead, normal)) {
+            return NO_ROOM;
+        }
+        let open = || if self.is_open(at, normal) { NO_ROOM } else { own };
         self.room_around(ahead).map_or_else(open, |room| room as u16)
     }
 

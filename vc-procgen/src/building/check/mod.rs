@@ -5,7 +5,7 @@ mod overlap;
 use vc_graph::space::{PortalKind, RegionId};
 use vc_graph::{Label, NodeId, ObjectRole, SceneGraph};
 
-use super::measures::{BACK, CABIN_WALL, DECK, FLIGHT, LANDING, LIFT, SHAFT, SHAFT_WALL, STOREY, UP};
+use super::measures::{BACK, BEYOND, CABIN_WALL, DECK, FLIGHT, LANDING, LIFT, SHAFT, SHAFT_WALL, STOREY, UP};
 use super::scene::Part;
 use super::stairs::POST;
 use super::{Building, BuildingError, BuildingStorey, BuildingViolation};
@@ -89,7 +89,7 @@ impl Building {
                 around(&[DECK, west, east, tower, shaft.grown(SHAFT_WALL)])
             }
             Part::Cabin => shaft.grown(CABIN_WALL),
-            Part::Yard => self.plot(),
+            Part::Yard => self.plot().grown(BEYOND),
         }
     }
 
