@@ -4,7 +4,7 @@ use rapier3d::math::Vector;
 use vc_graph::{Aabb, NodeId, Place, Pose, Relation};
 
 use crate::state::Thing;
-use crate::world::PhysicsWorld;
+use crate::world::{HEADROOM, PhysicsWorld};
 use crate::{BodyRole, convert};
 
 /// The largest distance of a thing that counts as not moved, metres.
@@ -172,7 +172,10 @@ impl PhysicsWorld {
 
     /// The boxes that contain the scene.
     fn inside(&self) -> Vec<Aabb> {
-        let mut boxes: Vec<Aabb> = self.rooms.iter().map(|(_, aabb)| grown(aabb, DOORSTEP)).collect();
+        // Grounds have bodies, which may reach farther than they are seen.
+        let above = |ground: Aabb| Aabb { max: ground.max + nalgebra::Vector3::z() * HEADROOM, ..ground };
+        let space = |(id, room): &(NodeId, Aabb)| self.aabb(*id).map_or_else(|| grown(room, DOORSTEP), above);
+        let mut boxes: Vec<Aabb> = self.rooms.iter().map(space).collect();
         if boxes.is_empty() {
             let fixed = self.things.iter().filter(|t| t.state.role == BodyRole::Fixed).filter_map(|t| self.aabb(t.id));
             boxes.extend(fixed.reduce(|a, b| Aabb { min: a.min.inf(&b.min), max: a.max.sup(&b.max) }));

@@ -154,11 +154,13 @@ fn what_is_in_a_box_goes_along_and_what_flies_far_lies_there() {
         assert!(region == building.yard() && !at.is_empty(), "{thing} in {region}, {at:?}");
     }
     assert_eq!(whole.validate().unwrap(), []);
-    let (mut city, ball) = city(&building, building.yard(), Point3::new(0.0, -7.0, 0.0));
-    throw(&mut city, ball, [0.0, -7.0, 6.0]);
-    let (region, at) = landed(&mut city, ball);
-    assert!(region == building.yard() && !at.is_empty(), "{region}, {at:?}");
-    assert_eq!(city.validate().unwrap(), []);
+    for speed in [-6.0, -9.0] {
+        let (mut city, ball) = city(&building, building.yard(), Point3::new(0.0, -7.0, 0.0));
+        throw(&mut city, ball, [0.0, speed, 6.0]);
+        let (region, at) = landed(&mut city, ball);
+        assert!(region == building.yard() && !at.is_empty(), "{region}, {at:?}");
+        assert_eq!(city.validate().unwrap(), []);
+    }
 }
 
 /// A place on a balcony at its open side, and the way out there.

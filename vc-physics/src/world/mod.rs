@@ -5,7 +5,6 @@ mod read;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use nalgebra::Vector3;
 use rapier3d::dynamics::RigidBodyHandle;
 use vc_graph::{Aabb, NodeId, ObjectRole, SceneGraph};
 
@@ -36,7 +35,7 @@ pub struct PhysicsWorld {
     pub(crate) waters: Waters,
     /// Moving parts with an active motor, in the order in which they were started.
     pub(crate) driven: Vec<(NodeId, usize)>,
-    /// Rooms and grounds, and the boxes in which things belong to them.
+    /// Rooms and grounds, and their boxes in the scene.
     pub(crate) rooms: Arc<[(NodeId, Aabb)]>,
     /// Height of the lowest fixed thing's bottom, metres.
     pub(crate) bottom: f32,
@@ -69,7 +68,7 @@ impl PhysicsWorld {
     }
 }
 
-/// Rooms and their bounding boxes, and those of the space above floors that are larger: the ground around a building.
+/// Rooms and their bounding boxes, and those of floors that are larger: the ground around a building.
 pub(crate) fn rooms(graph: &SceneGraph) -> Arc<[(NodeId, Aabb)]> {
     let aabb = |id: NodeId| Some((id, graph.node(id)?.aabb()?));
     let rooms: Vec<(NodeId, Aabb)> = graph.rooms().iter().filter_map(|id| aabb(*id)).collect();
@@ -78,7 +77,6 @@ pub(crate) fn rooms(graph: &SceneGraph) -> Arc<[(NodeId, Aabb)]> {
         let holds = |room: &Aabb| (0..2).all(|k| room.min[k] - EDGE <= own.min[k] && own.max[k] <= room.max[k] + EDGE);
         !rooms.iter().any(|(_, room)| holds(room))
     };
-    let above = |(id, own): (NodeId, Aabb)| (id, Aabb { max: own.max + Vector3::z() * HEADROOM, ..own });
-    let grounds: Vec<(NodeId, Aabb)> = floors.filter(is_larger).map(above).collect();
+    let grounds: Vec<(NodeId, Aabb)> = floors.filter(is_larger).collect();
     rooms.into_iter().chain(grounds).collect()
 }
