@@ -74,6 +74,7 @@ impl Wishes {
             clutter: self.clutter,
             dressing: None,
             fitted_kitchens: false,
+            plan: None,
         };
         specification.check().map_err(Complaint::new)?;
         Ok(specification)

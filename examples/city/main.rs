@@ -1,5 +1,5 @@
-//! Plans a city from a seed: a picture with legend, figures beside those of real cities, the rules, and its streets for SUMO
-//! and OpenDRIVE.
+//! Plans a city from a seed: pictures with legends of the city and of a storey with its flats, figures beside those of real cities,
+//! the rules, and its streets for SUMO and OpenDRIVE.
 //!
 //! ```text
 //! cargo run --release --example city -- --seed 7 --out out/city
@@ -22,6 +22,9 @@ use virtualcity::map::format::{geojson, native, opendrive, sumo};
 use virtualcity::map::route::{Mode, Router};
 use virtualcity::map::{Point, StreetMap};
 use virtualcity::procgen::city::{CityPlan, CitySpecification, StreetPattern, UnitKind};
+
+/// Pixels for a metre in the drawing of a storey.
+const STOREY: f64 = 32.0;
 
 #[derive(Parser)]
 #[command(about = "Plans a city from a seed")]
@@ -124,6 +127,11 @@ fn write(plan: &CityPlan, folder: &Path, scale: f64) -> Result<(), Complaint> {
     let drawing = plan.drawing();
     std::fs::write(folder.join("plan.png"), raster::png(&drawing, raster::scale(&drawing, scale))?)?;
     put("plan.svg", &drawing.svg(scale))?;
+    let most = (0..plan.buildings().len()).max_by_key(|index| plan.buildings()[*index].homes());
+    if let Some(storey) = most.and_then(|building| plan.storey_drawing(building, 1)) {
+        std::fs::write(folder.join("storey.png"), raster::png(&storey, raster::scale(&storey, STOREY))?)?;
+        put("storey.svg", &storey.svg(STOREY))?;
+    }
     put("plan.txt", &plan.text())?;
     put("city.xodr", &opendrive::write(map))?;
     put("city.geojson", &geojson::write(map))?;

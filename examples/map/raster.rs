@@ -121,15 +121,15 @@ fn legend(canvas: &mut Pixmap, drawing: &Drawing, scale: f64) {
             canvas.fill_rect(rect, &brush(colour), Transform::identity(), None);
         }
     };
-    rect(canvas, [8.0, top, (50.0 * scale + 60.0).max(250.0), tall], [255, 255, 255]);
+    rect(canvas, [8.0, top, (drawing.bar * scale + 60.0).max(250.0), tall], [255, 255, 255]);
     for (row, entry) in drawing.legend.iter().enumerate() {
         let y = top + step * row as f64 + 4.0;
         rect(canvas, [14.0, y, 14.0, 11.0], entry.colour);
         letters(canvas, entry.meaning, [34.0, y + 9.5], 0.0, size, [32, 32, 36], false);
     }
     let bottom = f64::from(canvas.height()) - 16.0;
-    rect(canvas, [14.0, bottom, 50.0 * scale, 3.0], [32, 32, 36]);
-    letters(canvas, "50 m", [14.0, bottom - 4.0], 0.0, size, [32, 32, 36], false);
+    rect(canvas, [14.0, bottom, drawing.bar * scale, 3.0], [32, 32, 36]);
+    letters(canvas, &format!("{} m", drawing.bar), [14.0, bottom - 4.0], 0.0, size, [32, 32, 36], false);
 }
 
 fn encode(canvas: &Pixmap) -> Result<Vec<u8>, Complaint> {

@@ -1,5 +1,6 @@
 //! The reasons why an apartment cannot be generated.
 
+use crate::plan::PlanFault;
 use crate::room_kind::RoomKind;
 use crate::violation::ApartmentViolation;
 
@@ -61,6 +62,15 @@ pub enum SpecificationError {
         rooms: usize,
         /// The net area, m².
         area: f32,
+    },
+    /// The floor plan that was given cannot be furnished.
+    #[error("the floor plan cannot be furnished: {0}")]
+    BadPlan(#[from] PlanFault),
+    /// Rooms or areas are specified beside a floor plan, which has its own.
+    #[error("{what} is specified beside a floor plan, which says it already: leave out one of them")]
+    Planned {
+        /// The name of the field.
+        what: &'static str,
     },
     /// No arrangement of the furniture was found that leaves a room usable.
     #[error("the {} (room {room}) holds no {piece}: give the apartment more area", kind.title())]

@@ -86,20 +86,29 @@ impl Layout {
     ) -> Result<(Self, Vec<Draft>), SpecificationError> {
         let style = specification.style.unwrap_or_else(|| Style::from_seed(seed));
         let own = sub_seed(seed, attempt);
-        // Programmes that are hard to furnish are not given up at once, otherwise homes would have
-        // fewer such rooms than were drawn.
-        let programme = Programme::draw(specification, seed.nth(attempt / REDRAW))?;
-        let plan = FloorPlan::lay_out(&programme, own)?;
-        // A facade may have no space for a balcony that was specified.
-        let balconies = plan.rooms.iter().filter(|r| r.kind == RoomKind::Balcony).count();
-        if specification.balconies.is_some_and(|wished| balconies < wished) {
-            return Err(SpecificationError::NoPlan { rooms: programme.wishes.len(), area: programme.area() });
-        }
+        let plan = match &specification.plan {
+            Some(plan) => plan.clone(),
+            None => Self::drawn(specification, seed, attempt)?,
+        };
         let household = specification.household(&plan, &style, seed);
         let (mut furniture, mut drafts) =
             furnish::furnish(&plan, (&style, generators), (household.as_ref(), specification.fitted_kitchens), own)?;
         clear_ways(&plan, &mut furniture, &mut drafts)?;
         Ok((Self { plan, style, furniture }, drafts))
+    }
+
+    /// The floor plan of an attempt.
+    fn drawn(specification: &Specification, seed: Seed, attempt: u64) -> Result<FloorPlan, SpecificationError> {
+        // Programmes that are hard to furnish are not given up at once, otherwise homes would have
+        // fewer such rooms than were drawn.
+        let programme = Programme::draw(specification, seed.nth(attempt / REDRAW))?;
+        let plan = FloorPlan::lay_out(&programme, sub_seed(seed, attempt))?;
+        // A facade may have no space for a balcony that was specified.
+        let balconies = plan.rooms.iter().filter(|r| r.kind == RoomKind::Balcony).count();
+        if specification.balconies.is_some_and(|wished| balconies < wished) {
+            return Err(SpecificationError::NoPlan { rooms: programme.wishes.len(), area: programme.area() });
+        }
+        Ok(plan)
     }
 }
 
@@ -117,6 +126,8 @@ pub(crate) fn attempts<T>(mut make: impl FnMut(u64) -> Result<T, SpecificationEr
         match &made {
             Err(
                 SpecificationError::OutOfRange { .. }
+                | SpecificationError::BadPlan(_)
+                | SpecificationError::Planned { .. }
                 | SpecificationError::TooSmall { .. }
                 | SpecificationError::TooLarge { .. },
             ) => return made,

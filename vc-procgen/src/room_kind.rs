@@ -78,6 +78,11 @@ impl RoomKind {
         matches!(self, Self::Bedroom | Self::Kids)
     }
 
+    /// Whether it has windows where it is at a facade.
+    pub(crate) fn has_window(self) -> bool {
+        matches!(self, Self::Living | Self::Kitchen | Self::Bedroom | Self::Kids | Self::Study | Self::Hall)
+    }
+
     /// Whether it has running water and a tiled floor.
     pub(crate) fn is_wet(self) -> bool {
         is_wet(&ClassTable::builtin(), self.class())

@@ -42,6 +42,9 @@ pub struct Specification {
     pub dressing: Option<Dressing>,
     /// Whether kitchens are fitted where there is space: units made to measure, of one design, along up to three walls. Not by default.
     pub fitted_kitchens: bool,
+    /// A floor plan that is furnished as it is: of a [site](crate::plan::Site), or one's own. Rooms and areas are the plan's then, and
+    /// are not specified beside it.
+    pub plan: Option<FloorPlan>,
 }
 
 impl Specification {
@@ -70,7 +73,8 @@ impl Specification {
     /// ```
     ///
     /// # Errors
-    /// [`SpecificationError::OutOfRange`] names the number.
+    /// [`SpecificationError::OutOfRange`] names the number; [`SpecificationError::BadPlan`] and [`SpecificationError::Planned`] where a
+    /// plan is given that has a fault or is not alone.
     pub fn check(&self) -> Result<(), SpecificationError> {
         let count = |what, value: Option<usize>, low, high| range(what, value.map(|v| v as f32), low, high);
         count("bedrooms", self.bedrooms, 0.0, 6.0)?;
@@ -78,7 +82,27 @@ impl Specification {
         count("bathrooms", self.bathrooms, 1.0, most)?;
         count("balconies", self.balconies, 0.0, 3.0)?;
         range("area", self.area, 15.0, 400.0)?;
-        range("clutter", self.clutter, 0.0, 1.0)
+        range("clutter", self.clutter, 0.0, 1.0)?;
+        self.plan.as_ref().map_or(Ok(()), |plan| self.check_plan(plan))
+    }
+
+    /// Checks a plan that is given, and that nothing contradicts it.
+    fn check_plan(&self, plan: &FloorPlan) -> Result<(), SpecificationError> {
+        let specified = [
+            ("bedrooms", self.bedrooms.is_some()),
+            ("bathrooms", self.bathrooms.is_some()),
+            ("open_kitchen", self.open_kitchen.is_some()),
+            ("study", self.study.is_some()),
+            ("laundry", self.laundry.is_some()),
+            ("storage", self.storage.is_some()),
+            ("wc", self.wc.is_some()),
+            ("balconies", self.balconies.is_some()),
+            ("area", self.area.is_some()),
+        ];
+        match specified.into_iter().find(|(_, is)| *is) {
+            Some((what, _)) => Err(SpecificationError::Planned { what }),
+            None => plan.fault().map_or(Ok(()), |fault| Err(fault.into())),
+        }
     }
 
     /// The household for whom a plan is dressed.

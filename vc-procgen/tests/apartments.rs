@@ -259,6 +259,7 @@ fn wishes() -> impl Strategy<Value = Specification> {
         style: None,
         dressing: None,
         fitted_kitchens: false,
+        plan: None,
     })
 }
 

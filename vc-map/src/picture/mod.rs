@@ -94,14 +94,30 @@ pub struct Drawing {
     pub texts: Vec<Text>,
     /// The legend: colours that occur, with their meaning.
     pub legend: Vec<Entry>,
+    /// The length of the scale below the legend, metres.
+    pub bar: f64,
     /// The name of the map.
     pub title: String,
 }
+
+/// The length of the scale of a map, metres.
+const BAR: f64 = 50.0;
 
 /// The colour of the ground.
 pub const GROUND: Colour = [242, 239, 233];
 
 impl Drawing {
+    /// A drawing without shapes, between two corners.
+    ///
+    /// ```
+    /// use vc_map::picture::Drawing;
+    /// let empty = Drawing::empty("storey", [[0.0, 0.0].into(), [20.0, 10.0].into()]);
+    /// assert!(empty.shapes.is_empty() && empty.svg(2.0).contains("storey"));
+    /// ```
+    pub fn empty(title: impl Into<String>, bounds: [Point; 2]) -> Self {
+        Self { bounds, shapes: Vec::new(), texts: Vec::new(), legend: Vec::new(), bar: BAR, title: title.into() }
+    }
+
     /// The drawing of a whole map, with a margin of 10 m. Costs some shapes for each road, area and building.
     pub fn of(map: &StreetMap) -> Self {
         let everywhere = [[f64::NEG_INFINITY; 2].into(), [f64::INFINITY; 2].into()];
@@ -140,6 +156,7 @@ impl Drawing {
             shapes: Vec::new(),
             texts: Vec::new(),
             legend: legend::entries(),
+            bar: BAR,
             title: map.name().to_owned(),
         };
         layers::draw(map, &mut drawing);

@@ -100,7 +100,7 @@ impl Drawing {
         );
     }
 
-    /// The legend in the lower left corner, with a scale of 50 m.
+    /// The legend in the lower left corner, with a scale.
     fn write_legend(&self, xml: &mut Xml, height: f64, scale: f64) {
         let step = LETTERS * 1.4;
         let tall = step * (self.legend.len() as f64 + 2.0);
@@ -110,7 +110,7 @@ impl Drawing {
             &[
                 ("x", &10),
                 ("y", &format!("{top:.1}")),
-                ("width", &(60.0 + 50.0 * scale).max(230.0)),
+                ("width", &(60.0 + self.bar * scale).max(230.0)),
                 ("height", &format!("{tall:.1}")),
                 ("fill", &"#ffffff"),
                 ("fill-opacity", &0.85),
@@ -120,8 +120,8 @@ impl Drawing {
             bar(xml, top + step * row as f64 + 5.0, &16, &LETTERS, entry.colour);
             words(xml, top + step * (row as f64 + 1.0) - 3.0, entry.meaning);
         }
-        bar(xml, height - 16.0, &format!("{:.1}", 50.0 * scale), &3, INK);
-        words(xml, top + step * (self.legend.len() as f64 + 1.0) - 3.0, "50 m");
+        bar(xml, height - 16.0, &format!("{:.1}", self.bar * scale), &3, INK);
+        words(xml, top + step * (self.legend.len() as f64 + 1.0) - 3.0, &format!("{} m", self.bar));
     }
 }
 

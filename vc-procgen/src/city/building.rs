@@ -12,7 +12,7 @@ use super::window::{WindowSlot, windows};
 use super::wing::{Wing, wings};
 
 /// The widths of a flat, an office and a shop along the street, metres.
-const FLAT: f64 = 8.6;
+const FLAT: f64 = 7.2;
 const OFFICE: f64 = 12.0;
 const SHOP: f64 = 7.0;
 /// Residents of a house and of a flat, on average.
@@ -126,7 +126,7 @@ impl CityBuilding {
     }
 
     /// The floors of a storey, each with its wing.
-    fn floors(&self, storey: usize) -> impl Iterator<Item = (&Wing, Floor)> {
+    pub(super) fn floors(&self, storey: usize) -> impl Iterator<Item = (&Wing, Floor)> {
         let here = move |wing: &&Wing| wing.from <= storey && storey < wing.to;
         self.wings.iter().filter(here).map(move |wing| (wing, floor(&wing.plan, self.width(storey))))
     }
@@ -149,7 +149,11 @@ impl CityBuilding {
                 if windows.is_empty() && kind.place() != UnitPlace::Shop {
                     continue;
                 }
-                units.push(Unit { kind, storey, storeys: 1, outline, door, windows });
+                let unit = Unit { kind, storey, storeys: 1, outline, door, windows };
+                // Where no flat fits there are stores, bicycles, plant.
+                if kind != UnitKind::HOME || self.flat_site(&unit).is_some() {
+                    units.push(unit);
+                }
             }
         }
         units

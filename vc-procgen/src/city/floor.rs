@@ -11,6 +11,8 @@ const CORRIDOR: f64 = 1.6;
 const DEEP: f64 = 14.5;
 /// A unit is at least this wide, metres.
 const LEAST: f64 = 2.6;
+/// Corners nearer to a side than this are on it, metres.
+const SAME: f64 = 1e-3;
 /// A unit has at least this length of facade, metres.
 const FACADE: f64 = 2.4;
 
@@ -44,10 +46,17 @@ pub(super) fn floor(plan: &Convex, width: f64) -> Floor {
     };
     let mut units = Vec::new();
     for part in bands.iter().flatten() {
-        for [from, to] in [[low, core[0]], [core[1], high]] {
+        // Units are equally wide where the band is a rectangle; what is beyond its ends goes to those at the ends.
+        let [first, last] = straight(part, &along);
+        for ([from, to], [begin, end]) in [([first, core[0]], [low, core[0]]), ([core[1], last], [core[1], high])] {
             let count = ((to - from) / width).round().max(1.0);
             let step = (to - from) / count;
-            let pieces = (0..count as usize).map(|i| [from + step * i as f64, from + step * (i + 1) as f64]);
+            let at = |i: usize| match i {
+                0 => begin,
+                _ if i == count as usize => end,
+                _ => from + step * i as f64,
+            };
+            let pieces = (0..count as usize).map(|i| [at(i), at(i + 1)]);
             units.extend(pieces.filter(|_| step > LEAST).filter_map(|[from, to]| between(from, to, part)));
         }
     }
@@ -55,6 +64,18 @@ pub(super) fn floor(plan: &Convex, width: f64) -> Floor {
     units.retain(|unit: &Convex| unit.sides().any(|(a, b, beyond)| beyond.is_open() && (b - a).norm() > FACADE));
     let core = bands[0].as_ref().and_then(|front| between(core[0], core[1], front));
     Floor { core, units }
+}
+
+/// The stations between which a band is a rectangle: those that both of its long sides have, or all if there are none.
+fn straight(part: &Convex, along: &Vector2<f64>) -> [f64; 2] {
+    let across = left(*along);
+    let whole = part.extent(along);
+    let shared = part.extent(&across).into_iter().fold(whole, |[low, high], edge| {
+        let on = |corner: &&nalgebra::Point2<f64>| (corner.coords.dot(&across) - edge).abs() < SAME;
+        let stations = || part.corners().iter().filter(on).map(|corner| corner.coords.dot(along));
+        [stations().fold(f64::INFINITY, f64::min).max(low), stations().fold(f64::NEG_INFINITY, f64::max).min(high)]
+    });
+    if shared[1] - shared[0] > LEAST { shared } else { whole }
 }
 
 /// The part of a wing between two distances from its main side.

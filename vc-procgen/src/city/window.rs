@@ -9,6 +9,8 @@ use super::unit_kind::{UnitKind, UnitPlace};
 
 /// The distance of windows from the ends of a side, metres.
 const EDGE: f64 = 0.5;
+/// How far before a window no wing stands, metres.
+const AHEAD: [f64; 3] = [0.1, 0.3, 0.6];
 /// A window is at least this wide, metres.
 const NARROW: f64 = 0.6;
 
@@ -31,7 +33,7 @@ pub struct WindowSlot {
 /// The distance between the middles of slots, and the measures of a window: width, height, sill.
 fn measures(kind: UnitKind, beyond: Beyond) -> [f64; 4] {
     match (kind.place(), beyond) {
-        (UnitPlace::Home, _) => [3.0, 1.3, 1.4, 0.9],
+        (UnitPlace::Home, _) => [3.2, 1.3, 1.4, 0.9],
         (UnitPlace::Shop | UnitPlace::Hall, Beyond::Street(_)) => [3.4, 2.8, 2.4, 0.45],
         _ => [3.0, 2.4, 1.6, 0.95],
     }
@@ -44,15 +46,16 @@ pub(super) fn windows(building: &CityBuilding, outline: &Convex, storey: usize, 
         let (length, along) = ((b - a).norm(), (b - a).normalize());
         let [module, width, height, sill] = measures(kind, beyond);
         let width = width.min(length - 2.0 * EDGE);
-        let count = ((length - 2.0 * EDGE) / module).floor().max(if width > NARROW { 1.0 } else { 0.0 });
-        let first = (length - (count - 1.0) * module) / 2.0;
+        // Bays are stretched until they fill the facade.
+        let most = (length / (width + EDGE)).floor();
+        let count = (length / module).round().min(most).max(if width > NARROW { 1.0 } else { 0.0 });
+        let bay = length / count;
         for i in 0..count.max(0.0) as usize {
-            let (at, out) = (a + along * (first + module * i as f64), -left(along));
-            let ahead = at + out * 0.4;
-            let covered = building
-                .wings
-                .iter()
-                .any(|wing| wing.from <= storey && storey < wing.to && wing.plan.contains(&ahead, 0.0));
+            let (at, out) = (a + along * (bay * (i as f64 + 0.5)), -left(along));
+            let mut ahead =
+                AHEAD.iter().flat_map(|far| [-0.5, 0.0, 0.5].map(|part| at + along * (width * part) + out * *far));
+            let here = || building.wings.iter().filter(|wing| wing.from <= storey && storey < wing.to);
+            let covered = ahead.any(|point| here().any(|wing| wing.plan.contains(&point, 0.0)));
             if !covered {
                 found.push(WindowSlot { storey, at, out, size: [width, height], sill });
             }

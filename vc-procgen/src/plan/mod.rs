@@ -6,10 +6,13 @@
 
 mod anneal;
 mod boundaries;
+mod fault;
+mod flat;
 mod growth;
 mod openings;
 mod programme;
 mod rect;
+mod site;
 mod spine;
 mod studio;
 mod topology;
@@ -18,10 +21,12 @@ mod turn;
 pub use crate::room_kind::RoomKind;
 pub use boundaries::Boundary;
 pub(crate) use boundaries::boundaries as boundaries_of;
+pub use fault::PlanFault;
 pub use openings::{OpeningKind, PlanOpening};
 pub(crate) use programme::Programme;
 pub use rect::Rect;
 pub(crate) use rect::covers;
+pub use site::{Side, Site, WindowPlace};
 use topology::Topology;
 
 use serde::Serialize;

@@ -5,6 +5,7 @@ use vc_graph::Stream;
 
 use super::boundaries::Boundary;
 use super::programme::{Programme, draw_area};
+use super::site::{Side, Site};
 use super::{CELLS, FloorPlan, Rect, Room, RoomKind, boundaries, cells};
 
 /// The kind of an opening in a wall.
@@ -110,22 +111,59 @@ const CORNER: i32 = 3;
 /// Adds doors, passages, balconies and windows to a plan. `None` if a room cannot have its door.
 pub(super) fn open(plan: &mut FloorPlan, programme: &Programme, rng: &mut Stream) -> Option<()> {
     let edges = boundaries::boundaries(&plan.rooms);
-    let mut opener = Opener { rooms: &plan.rooms, edges: &edges, facades: plan.facades, placed: Vec::new() };
-    opener.entrance(rng)?;
-    for room in 0..opener.rooms.len() {
-        opener.door_of(room, programme, rng)?;
-    }
-    let mut openings = opener.placed;
+    let mut openings = doors(plan, &edges, None, programme.open_kitchen, rng)?;
     balconies(plan, &edges, programme, &mut openings, rng);
     windows(plan, &edges, &mut openings, rng);
     plan.openings = openings;
     Some(())
 }
 
+/// Adds doors, passages and windows to the plan of a flat on a site. `None` if a room cannot have its door, or one for people to be in
+/// has no window.
+pub(super) fn open_on(plan: &mut FloorPlan, site: &Site, rng: &mut Stream) -> Option<()> {
+    let edges = boundaries::boundaries(&plan.rooms);
+    let open_kitchen = rng.chance(0.73);
+    let mut openings = doors(plan, &edges, Some(site.door), open_kitchen, rng)?;
+    for place in &site.windows {
+        let behind = |edge: &&Boundary| {
+            side(edge) == place.side as usize
+                && edge.inner().is_some_and(|room| plan.rooms[room].kind.has_window())
+                && (edge.from + CORNER..=edge.to - CORNER).contains(&place.from)
+                && place.to <= edge.to - CORNER
+        };
+        if let Some(edge) = edges.iter().filter(|edge| edge.inner().is_some()).find(behind) {
+            let window = PlanOpening::on(edge, OpeningKind::Window, place.from, place.to - place.from);
+            openings.push(PlanOpening { sill: place.sill, head: place.head, ..window });
+        }
+    }
+    let lit = |room: usize| openings.iter().any(|o| o.kind == OpeningKind::Window && o.touches(room));
+    let living = |kind: RoomKind| kind.is_bedroom() || kind == RoomKind::Living;
+    (0..plan.rooms.len()).all(|room| !living(plan.rooms[room].kind) || lit(room)).then_some(())?;
+    plan.openings = openings;
+    Some(())
+}
+
+/// The front door, within a stretch of the north side if one is given, and the doors and passages between rooms.
+fn doors(
+    plan: &FloorPlan,
+    edges: &[Boundary],
+    landing: Option<(i32, i32)>,
+    open_kitchen: bool,
+    rng: &mut Stream,
+) -> Option<Vec<PlanOpening>> {
+    let mut opener = Opener { rooms: &plan.rooms, edges, facades: plan.facades, open_kitchen, placed: Vec::new() };
+    opener.entrance(landing, rng)?;
+    for room in 0..opener.rooms.len() {
+        opener.door_of(room, rng)?;
+    }
+    Some(opener.placed)
+}
+
 struct Opener<'a> {
     rooms: &'a [Room],
     edges: &'a [Boundary],
     facades: [bool; 4],
+    open_kitchen: bool,
     placed: Vec<PlanOpening>,
 }
 
@@ -135,19 +173,26 @@ impl Opener<'_> {
     }
 
     /// Places the front door: into the hall if it reaches an outer wall, else into the living room;
-    /// preferably in a wall without windows, where the landing is.
-    fn entrance(&mut self, rng: &mut Stream) -> Option<()> {
+    /// preferably in a wall without windows, where the landing is. A given landing is a stretch of the north side.
+    fn entrance(&mut self, landing: Option<(i32, i32)>, rng: &mut Stream) -> Option<()> {
         let width = if rng.chance(0.5) { 20 } else { 21 };
         let mut walls: Vec<(usize, Boundary)> = Vec::new();
         for edge in self.edges {
             let Some(room) = edge.inner() else { continue };
+            let mut edge = *edge;
+            if let Some((from, to)) = landing {
+                if side(&edge) != Side::North as usize {
+                    continue;
+                }
+                (edge.from, edge.to) = (edge.from.max(from), edge.to.min(to));
+            }
             let rank = match self.kind(room) {
                 RoomKind::Hall => 0,
                 RoomKind::Living => 2,
                 _ => continue,
             };
             if edge.length() >= width + 2 * CORNER - 2 {
-                walls.push((rank + usize::from(self.facades[side(edge)]), *edge));
+                walls.push((rank + usize::from(self.facades[side(&edge)]), edge));
             }
         }
         rng.shuffle(&mut walls);
@@ -159,7 +204,7 @@ impl Opener<'_> {
     }
 
     /// Places the door or passage that connects a room to the apartment.
-    fn door_of(&mut self, room: usize, programme: &Programme, rng: &mut Stream) -> Option<()> {
+    fn door_of(&mut self, room: usize, rng: &mut Stream) -> Option<()> {
         let own = &self.rooms[room];
         let leaf = |sizes: &[i32], rng: &mut Stream| sizes[rng.below(sizes.len())];
         let hall = |k| k == RoomKind::Hall;
@@ -170,7 +215,7 @@ impl Opener<'_> {
                 Some(hall) => self.passage(room, hall, (17, 32), rng),
                 None => Some(()),
             },
-            RoomKind::Kitchen if programme.open_kitchen => {
+            RoomKind::Kitchen if self.open_kitchen => {
                 let to_living = self.passage(room, 0, (24, 56), rng);
                 to_living.or_else(|| {
                     let hall = self.rooms.iter().position(|r| hall(r.kind))?;

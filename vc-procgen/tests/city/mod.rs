@@ -1,5 +1,7 @@
 //! Plans of cities, held against slow obvious versions, and against the rules on some seeds; `proofs/cities` has many.
 
+mod flats;
+
 use std::collections::BTreeSet;
 
 use vc_graph::Seed;
@@ -11,7 +13,7 @@ use vc_procgen::city::{
 };
 
 /// The digests of the texts of plans of seeds 0, 1 and 2: the same on every machine.
-const DIGESTS: [&str; 3] = ["4e7f04fa2e474c05", "9493c857df01e7a6", "fba783ef140c1129"];
+const DIGESTS: [&str; 3] = ["e04f51e5e6f88438", "b5385096af8f8bb2", "6f5e42116fdcbdb1"];
 
 fn plan(seed: u64) -> CityPlan {
     CityPlan::from_seed(Seed(seed)).unwrap()
