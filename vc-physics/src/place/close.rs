@@ -59,7 +59,7 @@ impl PhysicsWorld {
             let free = |spot: &Pose| {
                 let at = convert::pose(spot);
                 borne(spot)
-                    && self.is_clear(thing, spot)
+                    && self.is_clear(thing, shelf, spot)
                     && self.each_overlap((&column, &at), thing.id, &NONE, &mut |id| !self.is_loose_on(shelf, id))
             };
             spots(thing.form.extent, &whole, turn, (0.0, way.over), PITCH, order)

@@ -134,11 +134,6 @@ impl PhysicsWorld {
         })
     }
 
-    /// Whether a thing would overlap nothing at a pose.
-    pub(super) fn is_clear(&self, thing: &Thing, pose: &Pose) -> bool {
-        self.for_overlaps(thing, pose, &mut |_| false)
-    }
-
     /// Whether a box of half lengths at a pose overlaps nothing.
     pub(super) fn is_free(&self, half: Vector3<f32>, pose: &Pose) -> bool {
         if !is_size(&half) || !convert::is_sound(pose) {

@@ -7,7 +7,7 @@ use vc_graph::{NodeId, Pose, Seed};
 
 use super::raster::{PITCH, half_sides, is_burner, spots};
 use super::way::{ACROSS, HEAP, INTO, ONTO, Tip, Way};
-use super::{AROUND, SupportSurface};
+use super::{AROUND, GAP, SupportSurface};
 use crate::displaced::NONE;
 use crate::state::Thing;
 use crate::world::PhysicsWorld;
@@ -154,11 +154,30 @@ impl PhysicsWorld {
         let clear_around = |spot: &Pose, of: &dyn Fn(NodeId) -> bool| {
             self.each_overlap((&around, &(convert::pose(spot) * middle)), thing.id, &NONE, &mut |id| !of(id))
         };
-        let clear = |spot: &Pose| self.is_clear(thing, spot);
+        let clear = |spot: &Pose| self.is_clear(thing, shelf, spot);
         let loose = |id| self.is_loose_on(shelf, id);
         let first = |free: &dyn Fn(&Pose) -> bool| self.first_spot(thing, shelf, way, order, free, admits);
         let apart = first(&|spot| clear_around(spot, &|_| true) && clear(spot));
         apart.or_else(|| first(&|spot| clear(spot) && clear_around(spot, &loose)))
+    }
+
+    /// Whether a thing at a spot of a surface overlaps nothing, and stands on nothing else.
+    pub(super) fn is_clear(&self, thing: &Thing, shelf: &SupportSurface, spot: &Pose) -> bool {
+        self.for_obstacles(thing, shelf, spot, &mut |_| false)
+    }
+
+    /// Calls `found` for each thing that a thing at a spot of a surface would overlap, or stand on: also for a sheet on the
+    /// surface that is no thicker than the gap above which things are put. Until it returns false; returns whether it never did.
+    pub(super) fn for_obstacles(
+        &self,
+        thing: &Thing,
+        shelf: &SupportSurface,
+        spot: &Pose,
+        found: &mut dyn FnMut(NodeId) -> bool,
+    ) -> bool {
+        let down = Pose::translation(0.0, 0.0, -GAP) * spot;
+        self.for_overlaps(thing, spot, found)
+            && self.for_overlaps(thing, &down, &mut |id| !self.is_loose_on(shelf, id) || found(id))
     }
 
     /// Whether a thing is loose, other than the one of a surface on top of which things are put.

@@ -8,7 +8,6 @@ use super::raster::{PITCH, fits, half_sides, spots};
 use super::way::Way;
 use super::{GAP, SpotFault, SpotOrder, SpotSearch, SupportSurface};
 use crate::PhysicsError;
-use crate::displaced::NONE;
 use crate::state::Thing;
 use crate::world::PhysicsWorld;
 
@@ -111,7 +110,7 @@ impl PhysicsWorld {
         let rests = |spot: &Pose| shelf.hold != Hold::On || self.is_borne(thing, spot, shelf.id);
         // A pan is wider than the burner that bears it.
         let (borne, other): (Vec<Pose>, Vec<Pose>) = all.into_iter().partition(rests);
-        let free = borne.into_iter().chain(other).filter(|spot| self.is_clear(thing, spot));
+        let free = borne.into_iter().chain(other).filter(|spot| self.is_clear(thing, shelf, spot));
         let mut fault = SpotFault::Taken(Vec::new());
         for spot in free {
             if admits(&spot) {
@@ -151,7 +150,13 @@ impl PhysicsWorld {
         if !rests {
             return Err(SpotFault::Unsupported);
         }
-        let there = self.overlapped(thing, &spot, &NONE);
+        let mut there = Vec::new();
+        self.for_obstacles(thing, shelf, &spot, &mut |id| {
+            there.push(id);
+            true
+        });
+        there.sort_unstable();
+        there.dedup();
         if there.is_empty() { Ok(spot) } else { Err(SpotFault::Taken(there)) }
     }
 }

@@ -86,6 +86,31 @@ fn burners_are_taken_one_after_the_other() {
     assert!(burners.iter().any(|b| (middles[2] - b).amax() < 0.12), "{middles:?}");
 }
 
+/// A thing that is put on a table goes beside a sheet of paper there: on the sheet, it would not be on the table.
+#[test]
+fn a_sheet_of_paper_takes_up_room() {
+    let mut scene = Scene::default();
+    scene.floor(5.0, 0.5);
+    let table = scene.table(at(0.0, 0.0, 0.0));
+    let cube = scene.cube(0.05, at(2.0, 0.0, 0.051));
+    let sheet = scene.solid("sheet", block([0.25, 0.3, 0.0003]), scene.wood);
+    let sheet = scene.add("document", sheet, at(0.0, 0.0, 0.7404));
+    let mut world = scene.world();
+    world.settle(60);
+    let wish = |x, y| SpotWish { point: Some([x, y].into()), ..SpotWish::default() };
+    let search = SpotSearch::new(cube, table, false);
+    let found = |wish: SpotWish| search.wished(&world, &wish, |_| true).unwrap();
+    assert_eq!(found(wish(0.1, 0.1)), Err(SpotFault::Taken(vec![sheet])));
+    assert!(found(wish(0.1, 0.5)).is_ok() && found(SpotWish::default()).is_ok());
+    for packing in [Packing::Apart, Packing::Close] {
+        let mut world = world.clone();
+        let spot = search.packing(packing).find(&world).unwrap().unwrap();
+        world.place(cube, spot).unwrap();
+        let report = world.settle(120);
+        assert!(report.at_rest && world.supports(cube) == [table], "{packing:?}: {report:?}");
+    }
+}
+
 /// A thing that is too tall to stand in the chest is laid on its side, but not with something on it.
 #[test]
 fn what_carries_something_is_not_tipped() {
@@ -128,7 +153,6 @@ fn things_are_heaped_in_containers_up_to_the_rim() {
     assert!((17..=36).contains(&put), "{put} cubes");
 }
 
-/// A hanging shirt of 0.3 kg, beside the chest.
 /// An asset states the rectangle within a round top. Four plates find room around a pie all the same, and stay
 /// on the table.
 #[test]
@@ -170,6 +194,7 @@ fn a_round_table_is_used_up_to_its_edge() {
     }
 }
 
+/// A hanging shirt of 0.3 kg, beside the chest.
 fn shirt() -> (SceneGraph, NodeId, NodeId, NodeId) {
     let mut scene = Scene::default();
     scene.floor(5.0, 0.5);
