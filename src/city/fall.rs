@@ -21,14 +21,20 @@ impl City {
             return;
         }
         let gates = self.gates_of(region);
-        let is_beside = |id: &NodeId| {
+        let is_beside = |there: &Environment, id: &NodeId| {
             let at = there.world().body(*id).ok()?.centre_of_mass();
-            let is_at_portal = gates.iter().any(|gate: &Gate| gate.beyond(&at).is_some());
+            let is_at_portal = gates.iter().any(|gate: &Gate| gate.is_at(&at));
             (!is_at_portal && ground(there, &at, &there.graph().carried_with(*id)).is_none()).then_some(at)
         };
-        let carried = |id: &NodeId| there.carrier(*id) == *id;
-        let alone = falling.into_iter().filter(carried);
-        let out: Vec<(NodeId, Point3<f32>)> = alone.filter_map(|id| Some((id, is_beside(&id)?))).collect();
+        if !falling.iter().any(|id| is_beside(there, id).is_some()) {
+            return;
+        }
+        // It takes along what is on or in it now.
+        let Some(there) = self.active.get_mut(&region) else { return };
+        there.catch_up();
+        let there = &*there;
+        let alone = falling.into_iter().filter(|id| there.carrier(*id) == *id);
+        let out: Vec<(NodeId, Point3<f32>)> = alone.filter_map(|id| Some((id, is_beside(there, &id)?))).collect();
         for (thing, at) in out {
             let Some(into) = self.region_below(region, &at) else { continue };
             let Some(shift) = self.pose_in(into, region) else { continue };
@@ -45,7 +51,8 @@ impl City {
             // A storey above is not made to be looked at.
             let back = self.pose_in(from, region).filter(|back| back.translation.z < at.z + STEP);
             let (Some(back), Some(there)) = (back, back.and_then(|_| self.seen(region).ok())) else { continue };
-            let Some(below) = ground(&there, &(back.inverse() * at), &[]).map(|hit| (back * hit).z) else { continue };
+            let below = ground(&there, &(back.inverse() * at), &[]).map(|(_, hit)| (back * hit).z);
+            let Some(below) = below else { continue };
             if found.is_none_or(|(height, _)| below > height) {
                 found = Some((below, region));
             }
@@ -68,10 +75,10 @@ impl City {
     }
 }
 
-/// The point of a region's own things that is below a point.
-fn ground(there: &Environment, at: &Point3<f32>, but: &[NodeId]) -> Option<Point3<f32>> {
-    let (hit, point) = there.world().ray(*at, at - DEEPEST * Vector3::z(), but)?;
-    there.graph().node(hit).map(|_| point)
+/// The one of a region's own things that is below a point, and where.
+pub(super) fn ground(there: &Environment, at: &Point3<f32>, but: &[NodeId]) -> Option<(NodeId, Point3<f32>)> {
+    let hit = there.world().ray(*at, at - DEEPEST * Vector3::z(), but)?;
+    there.graph().node(hit.0).map(|_| hit)
 }
 
 /// The room over which a point is, or the first.

@@ -11,6 +11,7 @@ use vc_graph::space::{Portal, PortalSide, RegionId};
 use vc_graph::{Aabb, NodeId, Pose};
 use vc_physics::BodyRole;
 
+use super::fall::ground;
 use super::measures::{ASIDE, BEHIND, NEAR, OVER, TOGETHER, TOUCHING};
 use super::record::Order;
 use super::{City, CityError};
@@ -39,6 +40,22 @@ impl Gate {
         let (aside, lowest) = (self.width / 2.0 + ASIDE, -ASIDE);
         let is_behind = out.y.abs() < aside && (lowest..self.height + ASIDE).contains(&out.z);
         (is_behind && over < BEHIND).then_some(over)
+    }
+
+    /// Whether a point is in the opening of this portal, or beyond it.
+    pub(super) fn is_at(&self, at: &Point3<f32>) -> bool {
+        let out = self.own.inverse_transform_point(at);
+        let is_in_opening = out.y.abs() < self.width / 2.0 + TOUCHING && out.z > -TOUCHING;
+        is_in_opening && self.beyond(at).is_some_and(|over| over > -ASIDE)
+    }
+
+    /// Whether a thing of the first region is over something fixed of it that is above the threshold: on the next flight of
+    /// stairs, which leads over the portal.
+    fn is_above(&self, there: &Environment, thing: NodeId, at: &Point3<f32>) -> bool {
+        let below = ground(there, at, &there.graph().carried_with(thing));
+        below.is_some_and(|(id, hit)| {
+            there.world().role(id) == Some(BodyRole::Fixed) && self.own.inverse_transform_point(&hit).z > ASIDE
+        })
     }
 
     /// Whether a box reaches over the line.
@@ -180,18 +197,18 @@ impl City {
     /// Lets things go over to the region beyond a portal where they are, unless they go on with others here.
     fn send_over(&mut self, gate: &Gate) {
         let Some(there) = self.active.get(&gate.from) else { return };
-        let over =
-            |id: &NodeId| gate.beyond(&there.world().body(*id).ok()?.centre_of_mass()).filter(|over| *over > OVER);
-        if !loose(there).any(|id| over(&id).is_some()) {
+        let over = |there: &Environment, id: &NodeId| {
+            let at = there.world().body(*id).ok()?.centre_of_mass();
+            gate.beyond(&at).filter(|over| *over > OVER && !gate.is_above(there, *id, &at))
+        };
+        if !loose(there).any(|id| over(there, &id).is_some()) {
             return;
         }
         let Some(there) = self.active.get_mut(&gate.from) else { return };
         there.catch_up();
         let there = &*there;
-        let over =
-            |id: &NodeId| gate.beyond(&there.world().body(*id).ok()?.centre_of_mass()).filter(|over| *over > OVER);
         let alone = loose(there).filter(|id| there.carrier(*id) == *id);
-        let goes = |id: &NodeId| over(id).is_some_and(|far| far > TOGETHER || !is_with_others(there, gate, *id));
+        let goes = |id: &NodeId| over(there, id).is_some_and(|far| far > TOGETHER || !is_with_others(there, gate, *id));
         for thing in alone.filter(goes).collect::<Vec<NodeId>>() {
             // It stays here if there is no place for it beyond.
             let _ = self.carry_over(thing, (gate.from, gate.into), &gate.shift, gate.room);

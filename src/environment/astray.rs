@@ -1,6 +1,8 @@
 //! Things that a scene has where nothing can be: below or beside its floors, or several in one
 //! place. They are put back where the scene says they are, or left out and named.
 
+use std::collections::BTreeSet;
+
 use nalgebra::{Point2, Point3, Vector3};
 use vc_graph::{Change, ChangeSet, Node, NodeId, NodeKind, Place, Pose, Relation, SceneBuilder, SceneGraph};
 use vc_physics::{BodyRole, Floor, PhysicsWorld, Posture, SpotOrder, SpotSearch};
@@ -150,14 +152,14 @@ fn leave_out(
     Ok(told)
 }
 
-/// A thing that has moved and is outside the home now.
-pub(super) fn fell_out(world: &PhysicsWorld, changes: &ChangeSet) -> Option<NodeId> {
+/// A thing that has moved and is outside the home now, other than some that nobody answers for.
+pub(super) fn fell_out(world: &PhysicsWorld, changes: &ChangeSet, but: &BTreeSet<NodeId>) -> Option<NodeId> {
     let moved = changes.changes().iter().filter_map(|change| match change {
         Change::Pose { id, .. } => Some(*id),
         _ => None,
     });
     let free = |id: &NodeId| matches!(world.role(*id), Some(BodyRole::Loose | BodyRole::Hung | BodyRole::Stopped));
-    let free: Vec<NodeId> = moved.filter(free).collect();
+    let free: Vec<NodeId> = moved.filter(free).filter(|id| !but.contains(id)).collect();
     free.into_iter().find(|id| world.body(*id).is_ok_and(|body| body.is_outside()))
 }
 

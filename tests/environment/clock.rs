@@ -3,6 +3,7 @@
 mod contested;
 mod meeting;
 mod passing;
+mod pushed;
 mod rule_alone;
 mod saved;
 

@@ -333,6 +333,11 @@ impl Environment {
                 return if puts && self.puts_elsewhere(agent) { Ok(()) } else { Err(self.cannot(agent, why)) };
             }
         }
+        match &motion {
+            BodyMotion::PutAgain(id, pose, true) => self.clock.held.push((*id, *pose)),
+            BodyMotion::PutBack(poses) => self.clock.held.extend(poses),
+            _ => {}
+        }
         if let BodyMotion::Fold(id, scale) = motion {
             self.clock.about_to_change(&self.graph);
             let mut edit = self.graph.edit();

@@ -26,7 +26,7 @@ mod track;
 use std::collections::{BTreeMap, BTreeSet};
 
 use vc_graph::clock::{Running, Span, Tick};
-use vc_graph::{Action, ChangeSet, Event, Label, NodeId, SceneGraph};
+use vc_graph::{Action, ChangeSet, Event, Label, NodeId, Pose, SceneGraph};
 use vc_physics::{PhysicsWorld, RestProgress};
 
 use super::control::Controls;
@@ -54,6 +54,8 @@ pub(super) struct Clock {
     /// Nodes that the rule has put elsewhere since relations were read last, and whether bodies have moved since then.
     pub(super) changed: Vec<NodeId>,
     pub(super) unseen: bool,
+    /// Things that are held still at poses once bodies have been stepped in this tick.
+    held: Vec<(NodeId, Pose)>,
     /// Things that were pushed, or came, and whose poses are not read since: no action answers for them.
     adrift: BTreeSet<NodeId>,
     /// The scene as relations have read it, while the graph differs.
@@ -323,7 +325,16 @@ impl Environment {
     }
 
     fn step_bodies(&mut self) {
-        if self.clock.stirred {
+        let held = std::mem::take(&mut self.clock.held);
+        if !held.is_empty() {
+            self.world.step();
+            self.clock.unseen = true;
+            // Whatever else moves is still, too, but not in flight.
+            let flying: Vec<NodeId> = self.clock.adrift.iter().copied().collect();
+            // They are there.
+            let _ = self.world.hold_still(&held, &flying);
+            (self.clock.rest, self.clock.stirred) = (RestProgress::default(), true);
+        } else if self.clock.stirred {
             // A thing that has lost its support wakes in this step.
             self.world.step();
             (self.clock.rest, self.clock.stirred, self.clock.unseen) = (RestProgress::default(), false, true);

@@ -75,7 +75,7 @@ impl Environment {
         }
         let (met, seen) = read?;
         self.clock.read = None;
-        let fallen = astray::fell_out(&self.world, &seen);
+        let fallen = astray::fell_out(&self.world, &seen, &self.clock.adrift);
         self.clock.note(seen);
         let world = &self.world;
         self.clock.adrift.retain(|thing| !world.rests(&[*thing]));

@@ -145,6 +145,7 @@ impl Environment {
             stirred: saved.stirred,
             changed: saved.changed,
             unseen: saved.unseen,
+            held: Vec::new(),
             adrift: saved.adrift,
             endings: Vec::new(),
             read,

@@ -45,14 +45,10 @@ impl Bodies<'_> {
             }
             BodyMotion::Push(moved) => self.push(moved)?,
             BodyMotion::Put(put) => self.put(put)?,
-            BodyMotion::PutAgain(id, pose, held_still) => {
-                self.world.place(*id, *pose)?;
-                if *held_still {
-                    self.world.rest();
-                }
-            }
+            // The clock holds still what has to be, once bodies have been stepped.
+            BodyMotion::PutAgain(id, pose, _) => self.world.place(*id, *pose)?,
             BodyMotion::ClearAway(id, around) => self.clear_away(*id, around)?,
-            BodyMotion::PutBack(poses) => self.world.rest_at(poses)?,
+            BodyMotion::PutBack(poses) => self.world.put_at(poses)?,
             BodyMotion::LetGo(hand) => self.world.drop(agent, *hand).map(|_| ())?,
             // Nothing is in the way of what a hand holds; the clock moves other doors.
             BodyMotion::Drive(drive) => self.world.put_open(drive.id, None, drive.open)?,

@@ -7,7 +7,7 @@ use virtualcity::graph::asset::Shape;
 use virtualcity::graph::clock::Span;
 use virtualcity::graph::space::{RegionId, Space};
 use virtualcity::graph::{
-    Action, Asset, AssetLibrary, Draft, NodeId, ObjectRole, Pose, SceneBuilder, SceneGraph, Seed,
+    Action, Asset, AssetLibrary, Draft, NodeId, ObjectRole, Pose, SceneBuilder, SceneGraph, Seed, Verb,
 };
 use virtualcity::nalgebra::{Point3, Vector3};
 use virtualcity::physics::BodyRole;
@@ -138,6 +138,75 @@ fn what_lands_before_somebody_who_acts_stays_there() {
     let (middle, role) = (there.world().body(ball).unwrap().centre_of_mass(), there.world().role(ball));
     assert!(middle.z < 1.0 && role == Some(BodyRole::Loose), "{middle}, {role:?}, at {at:?}");
     assert_eq!(city.validate().unwrap(), []);
+}
+
+/// An action that ends while something flies has no part in it, wherever that is by then.
+#[test]
+fn what_flies_while_an_action_ends_falls_on() {
+    let building = Arc::new(Building::from_seed(Seed(7)).unwrap());
+    let gallery = building.storeys()[2].gallery;
+    let scenes =
+        WithBall { building: building.clone(), region: gallery, at: Point3::new(-0.5, 0.6, 0.0), boxed: false };
+    let mut made = City::of(scenes).agents(1).make().unwrap();
+    let (me, ball) = (made.agents().next().unwrap(), made.peek(gallery).unwrap().graph().of_class("ball")[0]);
+    made.go(me, building.yard()).unwrap();
+    for wait in [12, 20, 28, 36] {
+        let mut city = made.clone();
+        city.give(me, Action::zero(Verb::Wave)).unwrap();
+        let mut endings = city.step(Span(wait));
+        throw(&mut city, ball, [0.0, -1.6, 6.0]);
+        endings.extend(city.step(Span::from_seconds(30.0)));
+        assert!(endings.len() == 1 && endings[0].outcome.is_ok(), "after {wait} ticks: {endings:?}");
+        let region = city.region_of(ball).unwrap();
+        let there = city.peek(region).unwrap();
+        let (middle, role) = (there.world().body(ball).unwrap().centre_of_mass(), there.world().role(ball));
+        assert!(region == building.yard() && middle.z < 1.0, "after {wait} ticks: in {region} at {middle}, {role:?}");
+        assert_eq!(city.validate().unwrap(), []);
+    }
+}
+
+/// Portals let things through where they are, not all that is in line with them: front doors, the lift, the stairs.
+#[test]
+fn what_is_thrown_in_line_with_a_portal_is_the_yards() {
+    let building = Arc::new(Building::from_seed(Seed(7)).unwrap());
+    for (storey, at, speed) in [
+        (0, [1.7, 0.6], [0.0, -1.5, 6.0]),
+        (0, [2.5, 0.6], [0.0, -1.5, 6.0]),
+        (0, [3.1, 2.3], [1.5, 0.0, 6.0]),
+        (2, [-1.2, 2.3], [0.0, 3.0, 4.5]),
+    ] {
+        let gallery = building.storeys()[storey].gallery;
+        let (mut city, ball) = city(&building, gallery, Point3::new(at[0], at[1], 0.0));
+        throw(&mut city, ball, speed);
+        let (region, on) = landed(&mut city, ball);
+        let lies = city.peek(region).unwrap().world().body(ball).unwrap().centre_of_mass();
+        let is_there = region == building.yard() && !on.is_empty();
+        assert!(is_there, "{storey} {at:?} {speed:?}: in {region} at {lies}, on {on:?}");
+        assert_eq!(city.validate().unwrap(), [], "{storey} {at:?} {speed:?}");
+    }
+}
+
+/// A ball that has left a box does not go along when the box is thrown over the railing.
+#[test]
+fn what_has_spilled_does_not_go_along() {
+    let building = Arc::new(Building::from_seed(Seed(7)).unwrap());
+    let gallery = building.storeys()[2].gallery;
+    let boxed = WithBall { building: building.clone(), region: gallery, at: Point3::new(-0.5, 0.6, 0.0), boxed: true };
+    let made = City::of(boxed).agents(0).make().unwrap();
+    let [around, ball] = ["box", "ball"].map(|class| made.peek(gallery).unwrap().graph().of_class(class)[0]);
+    for wait in [30, 40, 70] {
+        let mut city = made.clone();
+        throw(&mut city, ball, [0.0, 1.5, 3.0]);
+        city.step(Span(wait));
+        throw(&mut city, around, [0.0, -1.8, 6.2]);
+        for tick in 0..600 {
+            city.step(Span(1));
+            assert!(city.region_of(ball).unwrap() != building.yard(), "{tick} ticks after {wait}");
+        }
+        let (region, at) = landed(&mut city, around);
+        assert!(region == building.yard() && !at.is_empty(), "after {wait}: the box is in {region}, {at:?}");
+        assert_eq!(city.validate().unwrap(), []);
+    }
 }
 
 /// What is in a box goes along with it, and what flies far lies on the ground there.

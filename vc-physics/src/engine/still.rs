@@ -20,7 +20,8 @@ impl Engine {
         (0..ROUNDS).any(|_| {
             poses.iter().for_each(|(body, pose)| self.write_back(*body, pose));
             self.advance(0.0, self.gravity);
-            self.put_all_to_sleep();
+            let awake: Vec<RigidBodyHandle> = self.awake_bodies().collect();
+            self.put_to_sleep(&awake);
             self.advance(self.parameters.dt, 0.0);
             self.step();
             self.step();
@@ -49,10 +50,10 @@ impl Engine {
         }
     }
 
-    /// Puts all bodies that are awake and free to move to sleep.
-    pub(crate) fn put_all_to_sleep(&mut self) {
-        for body in self.awake_bodies().collect::<Vec<RigidBodyHandle>>() {
-            if let Some(rigid) = self.body_mut(body).filter(|b| b.is_dynamic()) {
+    /// Puts those of some bodies to sleep that are free to move.
+    pub(crate) fn put_to_sleep(&mut self, bodies: &[RigidBodyHandle]) {
+        for body in bodies {
+            if let Some(rigid) = self.body_mut(*body).filter(|b| b.is_dynamic()) {
                 rigid.sleep();
             }
         }

@@ -11,7 +11,7 @@ use rapier3d::dynamics::RigidBodyHandle;
 use vc_graph::{NodeId, Pose};
 
 use crate::world::PhysicsWorld;
-use crate::{BodyRole, PhysicsError, convert};
+use crate::{BodyRole, PhysicsError, convert, group};
 
 pub use progress::RestProgress;
 pub(crate) use recorded::RecordedThing;
@@ -32,8 +32,17 @@ impl PhysicsWorld {
     /// ```
     pub fn rest(&mut self) {
         self.step();
-        let all: Vec<RigidBodyHandle> = self.engine.awake_bodies().collect();
-        self.engine.put_all_to_sleep();
+        self.sleep(&[]);
+    }
+
+    /// Puts all to sleep where it is that has been stepped since it was moved last, but some things.
+    fn sleep(&mut self, but: &[NodeId]) {
+        let spared = |world: &Self, body: &RigidBodyHandle| {
+            let rigid = world.engine.bodies.get(*body);
+            rigid.is_some_and(|rigid| but.contains(&group::marked(rigid.user_data).0))
+        };
+        let all: Vec<RigidBodyHandle> = self.engine.awake_bodies().filter(|body| !spared(self, body)).collect();
+        self.engine.put_to_sleep(&all);
         self.record_sleepers(&all);
     }
 
@@ -46,6 +55,17 @@ impl PhysicsWorld {
     /// # Errors
     /// As [`Self::place`].
     pub fn rest_at(&mut self, poses: &[(NodeId, Pose)]) -> Result<(), PhysicsError> {
+        self.put_at(poses)?;
+        self.rest();
+        self.write_at_rest(poses)
+    }
+
+    /// Puts things to poses; those on what moves with others stay so. Agents stay where they are. A step later they can be
+    /// [held](Self::hold_still) there.
+    ///
+    /// # Errors
+    /// As [`Self::place`]; nothing has moved then.
+    pub fn put_at(&mut self, poses: &[(NodeId, Pose)]) -> Result<(), PhysicsError> {
         for (id, pose) in poses {
             if !self.agents.contains_key(id) && self.thing(*id)?.state.role == BodyRole::Carried {
                 return Err(PhysicsError::NotFree(*id));
@@ -59,7 +79,33 @@ impl PhysicsWorld {
             self.place(*id, *pose)?;
             self.thing_mut(*id)?.state.rides = rides;
         }
-        self.rest();
+        Ok(())
+    }
+
+    /// Holds still what has been put to poses before the last step, exactly there, and all else where it is but some things that are in
+    /// flight.
+    ///
+    /// # Errors
+    /// [`PhysicsError::NoBody`].
+    ///
+    /// ```
+    /// # let home = vc_testkit::kitchen::kitchen();
+    /// # let mut world = vc_physics::PhysicsWorld::build(&home.graph, &Default::default(), Default::default())?;
+    /// use vc_graph::Pose;
+    /// let in_the_air = Pose::translation(1.0, 0.3, 1.2);
+    /// world.place(home.cup, in_the_air)?;
+    /// world.step();
+    /// world.hold_still(&[(home.cup, in_the_air)], &[])?;
+    /// assert_eq!((world.awake(), world.pose(home.cup)), (0, Some(in_the_air)));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn hold_still(&mut self, poses: &[(NodeId, Pose)], but: &[NodeId]) -> Result<(), PhysicsError> {
+        self.sleep(but);
+        self.write_at_rest(poses)
+    }
+
+    /// Writes poses without waking anything.
+    fn write_at_rest(&mut self, poses: &[(NodeId, Pose)]) -> Result<(), PhysicsError> {
         for (id, pose) in poses {
             let body = match self.agents.get_mut(id) {
                 Some(agent) => {

@@ -33,7 +33,7 @@ const LIVING: i32 = 62;
 const BEDROOM: i32 = 54;
 /// The least area of a room in which one lives, cooks and sleeps, square metres.
 const ONE_ROOM: f32 = 19.0;
-/// What is left over and narrower goes to a neighbour, cells.
+/// A rest that is narrower goes to a neighbour, cells.
 const NICHE: i32 = 26;
 
 /// The least, usual and greatest area of a room, square metres.
@@ -190,12 +190,10 @@ impl<'a> Draft<'a> {
         // The living room reaches through the strip to the kitchen, the hall to the last door, and the last bedroom has the rest.
         let begin = from.min(walls[2] - DOOR);
         self.enlarge(0, self.between(0, begin));
-        let mut reach = (last + DOOR).max(to) + rng.count(0, 8) as i32;
-        if side || self.rooms.iter().any(|room| room.rects.iter().any(|rect| rect.x0 > to && rect.y0 == self.strip.1)) {
-            let door =
-                |room: &Room| room.rects.iter().filter(|r| r.y0 == self.strip.1 && r.x0 >= to).map(|r| r.x0).max();
-            reach = reach.max(self.rooms.iter().filter_map(door).max().unwrap_or(0) + DOOR);
-        }
+        let behind =
+            self.rooms.iter().flat_map(|room| &room.rects).filter(|rect| rect.y0 == self.strip.1 && rect.x0 > to);
+        let last_door = behind.map(|rect| rect.x0).fold(last, i32::max);
+        let mut reach = (last_door + DOOR).max(to) + rng.count(0, 8) as i32;
         if width - reach < NICHE {
             reach = width;
         }
