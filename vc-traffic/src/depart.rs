@@ -1,10 +1,10 @@
 //! Departures: a route for each trip, and room on the road for its vehicle.
 
 use vc_map::Point;
-use vc_map::route::Leg;
+use vc_map::route::{Leg, Router};
 
 use crate::Traffic;
-use crate::network::NONE;
+use crate::network::{NONE, Network};
 use crate::trip::{Kerb, TrafficEvent, VehicleId};
 
 /// A vehicle that waits for room tries once in so many seconds.
@@ -19,8 +19,7 @@ impl Traffic {
         let now = (self.step + 1) as f32 * self.dt;
         while let Some(trip) = self.order.get(self.coming).copied().filter(|t| self.trips[*t as usize].departs <= now) {
             self.coming += 1;
-            let from = &self.trips[trip as usize].from;
-            let side = from.road.0 * 2 + u32::from(!from.forward);
+            let side = self.trips[trip as usize].from.side();
             self.pending.entry(side).or_default().push_back(trip);
         }
         let every = (TRIES / self.dt).round().max(1.0) as u64;
@@ -122,22 +121,26 @@ impl Traffic {
 
     /// The sides of roads by which one comes from a place on a lane to another place.
     pub(crate) fn way(&self, lane: u32, station: f32, to: &Kerb) -> Option<Vec<u32>> {
-        let network = &self.network;
-        let end = to.road.index() * 2 + usize::from(!to.forward);
-        let last = *network.sides.get(end)?.first()?;
-        let at = |lane: u32, station: f32| -> Point {
-            let line = network.line(lane);
-            line.at(f64::from(station).clamp(0.1, line.length() - 0.1))
-        };
-        let route = self.router.route(&at(lane, station), &at(last, to.station))?;
-        let sides: Vec<u32> = route
-            .legs
-            .iter()
-            .filter_map(|leg| match leg {
-                Leg::Road(road, forward) => Some(road.0 * 2 + u32::from(!forward)),
-                _ => None,
-            })
-            .collect();
-        (sides.first() == Some(&network.side[lane as usize]) && sides.last() == Some(&(end as u32))).then_some(sides)
+        way(&self.network, &self.router, lane, station, to)
     }
+}
+
+/// The sides of roads by which one comes from a place on a lane to another place.
+pub(crate) fn way(network: &Network, router: &Router, lane: u32, station: f32, to: &Kerb) -> Option<Vec<u32>> {
+    let end = to.side() as usize;
+    let last = *network.sides.get(end)?.first()?;
+    let at = |lane: u32, station: f32| -> Point {
+        let line = network.line(lane);
+        line.at(f64::from(station).clamp(0.1, line.length() - 0.1))
+    };
+    let route = router.route(&at(lane, station), &at(last, to.station))?;
+    let sides: Vec<u32> = route
+        .legs
+        .iter()
+        .filter_map(|leg| match leg {
+            Leg::Road(road, forward) => Some(road.0 * 2 + u32::from(!forward)),
+            _ => None,
+        })
+        .collect();
+    (sides.first() == Some(&network.side[lane as usize]) && sides.last() == Some(&(end as u32))).then_some(sides)
 }

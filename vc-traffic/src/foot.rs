@@ -37,6 +37,11 @@ const NEVER: f32 = 150.0;
 const THERE: f32 = 0.4;
 const TRIES: f32 = 1.0;
 
+/// The speed at which somebody walks with nobody around, by their seed, metres per second.
+pub(crate) fn free_speed(seed: Seed) -> f32 {
+    seed.stream().normal(SPEED, DEVIATION).clamp(SPEEDS[0], SPEEDS[1])
+}
+
 /// Those on foot, and the crossings.
 #[derive(Clone)]
 pub(crate) struct Foot {
@@ -331,7 +336,7 @@ impl Traffic {
         let trying: Vec<PersonId> = trying.map(|(id, _)| *id).collect();
         for id in trying {
             let Some((way, passages)) = self.foot.pending.remove(&id) else { continue };
-            let speed = seed.nth(u64::from(id.0)).stream().normal(SPEED, DEVIATION).clamp(SPEEDS[0], SPEEDS[1]);
+            let speed = free_speed(seed.nth(u64::from(id.0)));
             let mut walker = Walker::new(id, way.clone(), 0.0, 0.0, speed);
             walker.stop = passages.first().map_or(f32::INFINITY, |passage| passage.over.from);
             // Whose door is on the road waits for a gap there.

@@ -4,7 +4,7 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use vc_map::{EntranceId, Point, Polyline, StreetMap, StripKind, Turn, Users, WalkEdge, WalkKind};
+use vc_map::{EntranceId, Point, Polyline, StreetMap, StripKind, Turn, Users, WalkEdge, WalkEdgeId, WalkKind};
 
 use crate::network::Network;
 
@@ -100,14 +100,20 @@ impl Ground {
 
     /// The way from a door to the edge before it, with the station there.
     pub(crate) fn door(&self, map: &StreetMap, id: EntranceId) -> Option<(Option<Path>, f64)> {
+        let (number, station) = self.before(map, id)?;
+        let (edge, path) = (map.walk_edge(number)?, self.paths.get(number.index())?);
+        let line = Polyline::new([map.entrance(id)?.door, path.line.at(station)]);
+        let path = line.map(|line| self.links.along(line, TO_DOOR, &layers(map, edge)));
+        Some((path, station))
+    }
+
+    /// The edge before a door, with the station there, metres.
+    pub(crate) fn before(&self, map: &StreetMap, id: EntranceId) -> Option<(WalkEdgeId, f64)> {
         let entrance = map.entrance(id)?;
         let number = entrance.edge?;
         let (edge, path) = (map.walk_edge(number)?, self.paths.get(number.index())?);
         let part = (entrance.station / edge.line.length().max(1e-6)).clamp(0.0, 1.0);
-        let station = part * path.line.length();
-        let line = Polyline::new([entrance.door, path.line.at(station)]);
-        let path = line.map(|line| self.links.along(line, TO_DOOR, &layers(map, edge)));
-        Some((path, station))
+        Some((number, part * path.line.length()))
     }
 
     /// By how much longer an edge seems than its length takes, seconds.

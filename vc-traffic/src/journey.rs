@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use vc_map::route::{Leg, Router};
-use vc_map::{Polyline, WalkKind};
+use vc_map::{EntranceId, Polyline, WalkEdgeId, WalkKind};
 
 use crate::bytes::{Reader, Writer};
 use crate::crowd::{RADIUS, Way};
@@ -97,6 +97,33 @@ impl Parts {
     }
 }
 
+/// The edges of a way from door to door, each with the stations where one begins to go along it and where one leaves it, metres. `None` where no
+/// way leads.
+pub(crate) fn edges(
+    network: &Network,
+    ground: &Ground,
+    router: &Router,
+    from: EntranceId,
+    to: EntranceId,
+) -> Option<Vec<(WalkEdgeId, [f64; 2])>> {
+    let route = router.between_entrances(from, to)?;
+    let [first, last] = [ground.before(&network.map, from)?, ground.before(&network.map, to)?];
+    let count = route.legs.len();
+    let edge = |(number, leg): (usize, &Leg)| {
+        let Leg::Walk(id, forward) = leg else { return None };
+        let length = ground.paths.get(id.index())?.line.length();
+        let mut range = if *forward { [0.0, length] } else { [length, 0.0] };
+        if number == 0 && first.0 == *id {
+            range[0] = first.1;
+        }
+        if number + 1 == count && last.0 == *id {
+            range[1] = last.1;
+        }
+        Some((*id, range))
+    };
+    route.legs.iter().enumerate().map(edge).collect()
+}
+
 /// The way of a walk, and where vehicles go on it. `None` where no way leads.
 pub(crate) fn way(
     network: &Network,
@@ -105,25 +132,15 @@ pub(crate) fn way(
     walk: &Walk,
 ) -> Option<(Arc<Way>, Arc<[Passage]>)> {
     let map = &network.map;
-    let route = router.between_entrances(walk.from, walk.to)?;
-    let [from, to] = [map.entrance(walk.from)?, map.entrance(walk.to)?];
-    let [(first, begin), (last, end)] = [ground.door(map, walk.from)?, ground.door(map, walk.to)?];
+    let edges = edges(network, ground, router, walk.from, walk.to)?;
+    let [(first, _), (last, _)] = [ground.door(map, walk.from)?, ground.door(map, walk.to)?];
     let mut parts = Parts::default();
     if let Some(path) = first {
         parts.add(&path, [0.0, path.line.length()], None);
     }
-    for (number, leg) in route.legs.iter().enumerate() {
-        let Leg::Walk(id, forward) = leg else { return None };
+    for (id, range) in edges {
         let path = ground.paths.get(id.index())?;
-        let length = path.line.length();
-        let mut range = if *forward { [0.0, length] } else { [length, 0.0] };
-        if number == 0 && from.edge == Some(*id) {
-            range[0] = begin;
-        }
-        if number + 1 == route.legs.len() && to.edge == Some(*id) {
-            range[1] = end;
-        }
-        let crossing = match map.walk_edge(*id)?.kind {
+        let crossing = match map.walk_edge(id)?.kind {
             WalkKind::Crossing(id) => Some((id.0, network.crosswalks.get(id.index())?.kerbs)),
             _ => None,
         };

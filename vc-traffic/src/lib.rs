@@ -4,7 +4,7 @@
 //! second at a time: they follow each other by the intelligent driver model, change lanes by MOBIL, stop at red lights, give way, keep
 //! junctions free, and go over junctions, which have length. Bodies never overlap; [`Traffic::overlaps`] checks that. People walk from
 //! door to door ([`Traffic::with_walks`]), avoid each other ([`Crowd`]), and cross where they and vehicles leave the way to each other.
-//! Nothing is random but the wishes of drivers and people, by seed.
+//! Nothing is random but the wishes of drivers and people, by seed. [`Timetable`] says where everybody in a city is at any tick, as a function of it.
 
 mod advance;
 mod block;
@@ -21,12 +21,14 @@ mod foot;
 mod ground;
 mod hook;
 mod journey;
+mod lights;
 mod network;
 mod obstacle;
 mod pose;
 mod right_of_way;
 mod roads;
 mod save;
+mod timetable;
 mod traffic;
 mod trip;
 
@@ -36,5 +38,9 @@ pub use hook::{TakenPerson, TakenVehicle};
 pub use obstacle::Obstacle;
 pub use pose::Pose;
 pub use save::SaveError;
+pub use timetable::{
+    Demand, DemandError, Errand, Figures, LandUse, Outing, Resident, Timetable, TimetableError, TimetableOptions,
+    Whereabouts,
+};
 pub use traffic::{Traffic, TrafficError, TrafficOptions};
 pub use trip::{Kerb, PersonId, TrafficEvent, Trip, VehicleId, Waiting, Walk};

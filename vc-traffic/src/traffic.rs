@@ -15,6 +15,7 @@ use crate::fleet::Fleet;
 use crate::follow::Driver;
 use crate::foot::Foot;
 use crate::ground::Links;
+use crate::lights;
 use crate::network::{NONE, Network};
 use crate::roads::Roads;
 use crate::trip::{PersonId, TrafficEvent, Trip, VehicleId, Waiting, Walk};
@@ -288,15 +289,7 @@ impl Traffic {
     fn signals(&mut self) {
         let now = self.step as f64 * f64::from(self.dt);
         for (signal, phase) in self.network.map.signals().iter().zip(&mut self.phases) {
-            let mut left = now.rem_euclid(signal.cycle().max(1e-3));
-            *phase = signal.phases.len() - 1;
-            for (number, of) in signal.phases.iter().enumerate() {
-                if left < of.seconds {
-                    *phase = number;
-                    break;
-                }
-                left -= of.seconds;
-            }
+            *phase = lights::phase(signal, now).0;
         }
     }
 
@@ -308,8 +301,7 @@ impl Traffic {
     /// The light for a row of a junction's table.
     pub(crate) fn light_of(&self, junction: usize, row: usize) -> Option<Light> {
         let id = self.network.map.junctions()[junction].signal?;
-        let phase = self.network.map.signal(id)?.phases.get(*self.phases.get(id.index())?)?;
-        phase.lights.get(row).copied()
+        lights::light(self.network.map.signal(id)?, *self.phases.get(id.index())?, row)
     }
 
     /// The reason for which a vehicle stands.
@@ -345,8 +337,7 @@ fn check(network: &Network, trip: &Trip, classes: usize) -> Result<(), String> {
         return Err(format!("departs at {} s: give a time from 0 on", trip.departs));
     }
     for kerb in [&trip.from, &trip.to] {
-        let side = kerb.road.index() * 2 + usize::from(!kerb.forward);
-        if network.sides.get(side).is_none_or(Vec::is_empty) {
+        if network.sides.get(kerb.side() as usize).is_none_or(Vec::is_empty) {
             return Err(format!("no lane for vehicles on that side of {}", kerb.road));
         }
         if !kerb.station.is_finite() {

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 use vc_map::{EntranceId, RoadId};
 
-/// The number of a vehicle: that of its trip in the list that was given.
+/// The number of a vehicle: that of its trip in the list that was given; in a timetable that of the person whose car it is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 #[serde(transparent)]
 pub struct VehicleId(pub u32);
@@ -14,7 +14,7 @@ impl std::fmt::Display for VehicleId {
     }
 }
 
-/// The number of somebody on foot: that of their walk in the list that was given.
+/// The number of a person: that of their walk in the list that was given; in a timetable their position in the demand.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 #[serde(transparent)]
 pub struct PersonId(pub u32);
@@ -34,6 +34,13 @@ pub struct Kerb {
     pub forward: bool,
     /// How far along the lanes of that side, metres.
     pub station: f32,
+}
+
+impl Kerb {
+    /// The number of the road's side.
+    pub(crate) fn side(&self) -> u32 {
+        self.road.0 * 2 + u32::from(!self.forward)
+    }
 }
 
 /// A journey by vehicle.

@@ -10,3 +10,4 @@ mod hooks;
 mod people;
 mod rules;
 mod streets;
+mod timetable;
