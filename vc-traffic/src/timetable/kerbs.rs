@@ -57,7 +57,7 @@ fn kerb(
     let first = network.begin[lane as usize] + class.length + 0.2;
     let last = (network.length[lane as usize] - WITHIN).min(network.stop[lane as usize]);
     let station = if first <= last { station.clamp(first, last) } else { return None };
-    Some((lane, Kerb { road: RoadId(side / 2), forward: side % 2 == 0, station }))
+    Some((lane, Kerb { road: RoadId(side / 2), forward: side.is_multiple_of(2), station }))
 }
 
 /// The sides of roads that all lead to each other: the most that are found from some.

@@ -1,6 +1,7 @@
 //! The steps of all vehicles while a timetable is made, and where each stands in its queue.
 
-use super::step::{Step, speed};
+use super::pace::Paces;
+use super::step::Step;
 use crate::network::{NONE, Network};
 
 /// A step with the one of whoever was ahead, and the journey that it is of.
@@ -45,9 +46,9 @@ impl Log {
     }
 
     /// The steps of all journeys, one journey after the other, and where each begins. Vehicles take a space in metres in a queue.
-    pub(super) fn finish(mut self, network: &Network, space: f64) -> (Vec<Step>, Vec<u32>) {
+    pub(super) fn finish(mut self, network: &Network, paces: &Paces, space: f64) -> (Vec<Step>, Vec<u32>) {
         for number in 0..self.entries.len() {
-            self.entries[number].step.stands = self.stands(number, network, space);
+            self.entries[number].step.stands = self.stands(number, network, paces, space);
         }
         let mut first = vec![0_u32; self.drives as usize + 1];
         self.entries.iter().for_each(|entry| first[entry.drive as usize + 1] += 1);
@@ -57,9 +58,9 @@ impl Log {
     }
 
     /// Where somebody stands until those ahead of them have gone, metres: behind each whom they would come too near to otherwise.
-    fn stands(&self, number: usize, network: &Network, space: f64) -> f32 {
+    fn stands(&self, number: usize, network: &Network, paces: &Paces, space: f64) -> f32 {
         let Entry { step, mut ahead, .. } = self.entries[number];
-        let speed = speed(network, step.lane);
+        let speed = paces.of(step.lane);
         let begins = f64::from(step.enters) - f64::from(step.begin) / speed;
         let mut stands = step.end;
         while ahead != NONE {

@@ -5,6 +5,7 @@ mod demand;
 mod kerbs;
 mod land_use;
 mod log;
+mod pace;
 mod queue;
 mod schedule;
 mod step;
@@ -17,15 +18,16 @@ use vc_graph::clock::{TICKS_PER_SECOND, Tick};
 use vc_graph::hash::Digester;
 use vc_graph::portable::Portable;
 use vc_graph::{Digest, Seed};
-use vc_map::{EntranceId, LaneId, MovementId, Point, StreetMap};
+use vc_map::{EntranceId, LaneId, MovementId, Point, RoadId, StreetMap};
 
 pub use demand::{Demand, DemandError, Errand, Outing, Resident};
 pub use land_use::LandUse;
 
 use crate::ground::{Ground, Links};
-use crate::network::Network;
-use crate::trip::{PersonId, VehicleId};
+use crate::network::{NONE, Network};
+use crate::trip::{Kerb, PersonId, Trip, VehicleId, Walk};
 use crate::{Pose, VehicleClass};
+use pace::Paces;
 use schedule::Schedule;
 use step::Step;
 use walk::{FootWay, Pavements};
@@ -165,6 +167,7 @@ pub struct Timetable {
 
 struct Table {
     network: Arc<Network>,
+    paces: Arc<Paces>,
     ground: Arc<Ground>,
     car: VehicleClass,
     /// What each does, one after the other, and where each begins.
@@ -201,8 +204,9 @@ impl Timetable {
         }
         let network = Arc::new(Network::new(map));
         let ground = Arc::new(Ground::new(&network, Arc::new(Links::new(&network))));
+        let paces = Arc::new(Paces::new(&network, car));
         let pavements = Pavements::new(network.clone(), ground.clone());
-        let mut schedule = Schedule::new(&network, pavements, &demand.people, options.days, car, seed);
+        let mut schedule = Schedule::new(&network, &paces, pavements, &demand.people, options.days, car, seed);
         let people = schedule.run();
         let mut first = vec![0];
         first.extend(people.iter().scan(0, |all, stages| {
@@ -212,7 +216,9 @@ impl Timetable {
         let Schedule { queues, ways, speeds, figures, .. } = schedule;
         let (steps, drives) = queues.finish();
         let (stages, car) = (people.concat(), car.clone());
-        Ok(Self { of: Arc::new(Table { network, ground, car, stages, first, speeds, ways, steps, drives, figures }) })
+        Ok(Self {
+            of: Arc::new(Table { network, paces, ground, car, stages, first, speeds, ways, steps, drives, figures }),
+        })
     }
 
     /// The number of people.
@@ -246,6 +252,45 @@ impl Timetable {
             Activity::Drive(drive) => self.of.pose(drive, tick),
             _ => None,
         }
+    }
+
+    /// The journeys that begin in some time as `Traffic` takes them, with their times from its beginning on: by car from kerb to kerb, and on foot from
+    /// door to door. So the same people can be moved step by step. Costs a look at all stages.
+    pub fn journeys(&self, within: std::ops::Range<Tick>) -> (Vec<Trip>, Vec<Walk>) {
+        let table = &*self.of;
+        let (mut trips, mut walks) = (Vec::new(), Vec::new());
+        for own in table.first.windows(2).map(|ends| &table.stages[ends[0] as usize..ends[1] as usize]) {
+            for (number, Stage { begins, activity }) in own.iter().enumerate() {
+                let tick = Tick(u64::from(*begins));
+                if !within.contains(&tick) {
+                    continue;
+                }
+                let departs = (tick - within.start).seconds() as f32;
+                let neighbours = (own.get(number.wrapping_sub(1)), own.get(number + 1));
+                let neighbours = (neighbours.0.map(|of| of.activity), neighbours.1.map(|of| of.activity));
+                match (activity, neighbours) {
+                    (Activity::Drive(drive), _) => trips.extend(table.trip(*drive, departs)),
+                    (Activity::Walk(_), (Some(Activity::At(from, _)), Some(Activity::At(to, _)))) => {
+                        walks.push(Walk { departs, from, to });
+                    }
+                    _ => {}
+                }
+            }
+        }
+        (trips, walks)
+    }
+
+    /// The number of vehicles that begin each movement of the map in some time, by its number. Costs a look at all steps.
+    pub fn went(&self, within: std::ops::Range<Tick>) -> Vec<u32> {
+        let network = &self.of.network;
+        let mut went = vec![0; network.from.len()];
+        for pair in self.of.steps.windows(2) {
+            let over = pair[1].movement != NONE && within.contains(&Tick(u64::from(pair[0].leaves)));
+            if over {
+                went[network.movement(pair[1].movement)] += 1;
+            }
+        }
+        went
     }
 
     /// Sums over all days.
@@ -286,11 +331,26 @@ impl Table {
         own.get(begun.max(1) - 1).copied()
     }
 
-    fn pose(&self, drive: u32, tick: Tick) -> Option<Pose> {
+    /// The steps of a drive.
+    fn drive(&self, drive: u32) -> Option<&[Step]> {
         let [from, to] = [drive, drive + 1].map(|drive| self.drives.get(drive as usize).copied());
-        let steps = self.steps.get(from? as usize..to? as usize)?;
+        self.steps.get(from? as usize..to? as usize)
+    }
+
+    fn trip(&self, drive: u32, departs: f32) -> Option<Trip> {
+        let steps = self.drive(drive)?;
+        let kerb = |lane: u32, station| {
+            let side = self.network.side[lane as usize];
+            Kerb { road: RoadId(side / 2), forward: side.is_multiple_of(2), station }
+        };
+        let (first, last) = (steps.first()?, steps.last()?);
+        Some(Trip { class: 0, departs, from: kerb(first.from, first.begin), to: kerb(last.lane, last.end) })
+    }
+
+    fn pose(&self, drive: u32, tick: Tick) -> Option<Pose> {
+        let steps = self.drive(drive)?;
         let VehicleClass { length, width, .. } = self.car;
-        let body = step::body(&self.network, steps, f64::from(length), tick.0 as f64)?;
+        let body = step::body(&self.network, &self.paces, steps, f64::from(length), tick.0 as f64)?;
         let forward = (body.front - body.rear).try_normalize(1e-3).unwrap_or(body.along);
         let on_lane = self.network.is_lane(body.link);
         Some(Pose {

@@ -8,7 +8,8 @@ use vc_map::{Control, Light, Users};
 use super::TICKS;
 use super::agenda::{Agenda, Event};
 use super::log::Log;
-use super::step::{Step, speed};
+use super::pace::Paces;
+use super::step::Step;
 use crate::VehicleClass;
 use crate::lights;
 use crate::network::{NONE, Network};
@@ -66,6 +67,7 @@ struct Car {
 /// All lanes of a map with those on them.
 pub(super) struct Queues {
     network: Arc<Network>,
+    paces: Arc<Paces>,
     /// A vehicle's length with the gap at a standstill, metres.
     space: f64,
     length: f64,
@@ -81,7 +83,7 @@ pub(super) struct Queues {
 }
 
 impl Queues {
-    pub(super) fn new(network: &Arc<Network>, class: &VehicleClass, people: usize) -> Self {
+    pub(super) fn new(network: &Arc<Network>, paces: &Arc<Paces>, class: &VehicleClass, people: usize) -> Self {
         let space = f64::from(class.length + class.standing_gap);
         let lane = |lane: usize| Lane {
             queue: VecDeque::new(),
@@ -90,7 +92,7 @@ impl Queues {
             free: 0,
             first: 0,
             due: NEVER,
-            speed: speed(network, lane as u32),
+            speed: paces.of(lane as u32),
         };
         let met = |movement: usize| {
             let junction = network.junction[movement] as usize;
@@ -110,6 +112,7 @@ impl Queues {
             squeezed: 0,
             agenda: Agenda::default(),
             network: network.clone(),
+            paces: paces.clone(),
         }
     }
 
@@ -333,13 +336,15 @@ impl Queues {
     /// Somebody goes over a junction.
     fn over(&mut self, now: u32, person: u32, link: u32, to: u32) {
         let network = self.network.clone();
-        let lane = self.cars[person as usize].lane;
+        let Car { lane, ready, .. } = self.cars[person as usize];
+        let stood = now > ready + HEADWAY / 2;
         self.clear[network.movement(link)] = now + CLEAR;
         self.cars[person as usize].next = (link, network.to[network.movement(link)], to);
         self.lanes[to as usize].count += 1;
         self.lanes[lane as usize].free = now + HEADWAY;
         self.leave(now, person);
-        let takes = (f64::from(network.length[link as usize]) / speed(&network, link)).ceil() as u32;
+        let pace = if stood { self.paces.out_of_queue(link) } else { self.paces.of(link) };
+        let takes = (f64::from(network.length[link as usize]) / pace).ceil() as u32;
         self.agenda.push(now + takes.max(1), Event::Enters(person));
     }
 
@@ -386,6 +391,6 @@ impl Queues {
 
     /// The steps of all journeys, one journey after the other, and where each begins.
     pub(super) fn finish(self) -> (Vec<Step>, Vec<u32>) {
-        self.log.finish(&self.network, self.space)
+        self.log.finish(&self.network, &self.paces, self.space)
     }
 }

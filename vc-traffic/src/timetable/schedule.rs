@@ -11,6 +11,7 @@ use vc_map::route::{Mode, Router};
 use super::agenda::Event;
 use super::demand::{Errand, Outing, Resident};
 use super::kerbs::Kerbs;
+use super::pace::Paces;
 use super::queue::Queues;
 use super::walk::{FootWay, Pavements};
 use super::{Activity, Figures, Stage, TICKS};
@@ -23,6 +24,8 @@ use crate::trip::Kerb;
 /// One stays at least so long where one has come, and one who finds no room to pull out tries again after this; ticks.
 const STAYS: u32 = 60 * 60;
 const TRIES: u32 = 2 * 60;
+/// A usual speed in towns, metres per second.
+const SPEED: f32 = 12.0;
 
 /// Somebody as they are while their week is made.
 struct Person {
@@ -44,6 +47,8 @@ pub(super) struct Schedule<'a> {
     residents: &'a [Resident],
     days: u32,
     class: &'a VehicleClass,
+    /// What one loses by setting out from a standstill, ticks.
+    starts: u32,
     pub(super) queues: Queues,
     pub(super) ways: Vec<FootWay>,
     pub(super) speeds: Vec<f32>,
@@ -62,6 +67,7 @@ pub(super) struct Schedule<'a> {
 impl<'a> Schedule<'a> {
     pub(super) fn new(
         network: &Arc<Network>,
+        paces: &Arc<Paces>,
         pavements: Pavements,
         residents: &'a [Resident],
         days: u32,
@@ -78,7 +84,7 @@ impl<'a> Schedule<'a> {
         };
         let seed = seed.child("people");
         Self {
-            queues: Queues::new(network, class, residents.len()),
+            queues: Queues::new(network, paces, class, residents.len()),
             ways: Vec::new(),
             speeds: (0..residents.len() as u64).map(|number| free_speed(seed.nth(number))).collect(),
             figures: Figures::default(),
@@ -93,6 +99,7 @@ impl<'a> Schedule<'a> {
             residents,
             days,
             class,
+            starts: (f64::from(SPEED / (2.0 * class.acceleration)) * TICKS) as u32,
             pavements,
         }
     }
@@ -154,8 +161,10 @@ impl<'a> Schedule<'a> {
             self.figures.by_car += 1;
             self.driving[person as usize] = Some(drive);
             let there = self.walk(now, person, out);
-            self.people[person as usize].since = there;
-            return self.queues.agenda.push(there, Event::SetsOut(person));
+            // It takes longer to get going than the pace of a lane says.
+            let gets_in = there + self.starts;
+            self.people[person as usize].since = gets_in;
+            return self.queues.agenda.push(gets_in, Event::SetsOut(person));
         }
         let Some(way) = self.on_foot(from, to) else {
             self.figures.without_way += 1;

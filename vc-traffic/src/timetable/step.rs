@@ -4,6 +4,7 @@ use nalgebra::Vector2;
 use vc_map::{Point, Polyline};
 
 use super::TICKS;
+use super::pace::Paces;
 use crate::network::{NONE, Network};
 
 /// Vehicles change lanes over such a part of their lane, metres.
@@ -27,7 +28,8 @@ pub(super) struct Step {
 }
 
 impl Step {
-    /// The station of its front at a time in ticks, metres: it goes at the limit, waits in the queue, and goes at the limit again. This is Newell's
+    /// The station of its front at a time in ticks, metres: it goes at its lane's pace, waits in the queue, and goes on at
+    /// that pace. This is Newell's
     /// model (Transportation Research B 36, 2002): behind one that keeps this rule another does, too, without coming nearer than
     /// their places in the queue are.
     pub(super) fn station(&self, speed: f64, time: f64) -> f64 {
@@ -73,13 +75,8 @@ pub(super) struct Body {
     pub(super) speed: f64,
 }
 
-/// The speed on a link, metres per tick.
-pub(super) fn speed(network: &Network, link: u32) -> f64 {
-    f64::from(network.limit[link as usize]) / TICKS
-}
-
 /// The body of a vehicle of a length at a time in ticks, by the steps of its way.
-pub(super) fn body(network: &Network, steps: &[Step], length: f64, time: f64) -> Option<Body> {
+pub(super) fn body(network: &Network, paces: &Paces, steps: &[Step], length: f64, time: f64) -> Option<Body> {
     let number = steps.partition_point(|step| f64::from(step.enters) <= time).max(1) - 1;
     let step = steps.get(number)?;
     let (link, station, back, speed) = match steps.get(number + 1) {
@@ -91,7 +88,7 @@ pub(super) fn body(network: &Network, steps: &[Step], length: f64, time: f64) ->
             (next.movement, station, number + 1, pace)
         }
         _ => {
-            let pace = speed(network, step.lane);
+            let pace = paces.of(step.lane);
             let [station, after] = [time, time + 1.0].map(|time| step.station(pace, time));
             (step.lane, station, number, (after - station).max(0.0))
         }
