@@ -262,7 +262,7 @@ fn speed(map: &StreetMap, movement: &Movement) -> f64 {
 }
 
 /// How far along a way one first comes near another, metres.
-fn meets(way: &Polyline, other: &Polyline) -> Option<f64> {
+pub(crate) fn meets(way: &Polyline, other: &Polyline) -> Option<f64> {
     let steps = (way.length() / STEP) as u32;
     let mut stations = (0..=steps).map(|step| f64::from(step) * STEP);
     stations.find(|station| other.project(&way.at(*station)).left.abs() < NEAR)

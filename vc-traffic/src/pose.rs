@@ -47,6 +47,12 @@ impl Pose {
             .map(|(x, y): (f64, f64)| self.at + forward * (length * x) + left * (width * y))
     }
 
+    /// The middle of its front.
+    pub fn front(&self) -> Point {
+        let [forward, _] = self.axes();
+        self.at + forward * f64::from(self.size[0] / 2.0)
+    }
+
     fn axes(&self) -> [Vector2<f64>; 2] {
         let (sine, cosine) = self.heading.sine_cosine();
         [Vector2::new(cosine, sine), Vector2::new(-sine, cosine)]

@@ -7,6 +7,7 @@ mod extracts;
 mod foot;
 mod grid;
 mod hooks;
+mod measures;
 mod people;
 mod rules;
 mod streets;

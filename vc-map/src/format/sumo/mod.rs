@@ -13,7 +13,7 @@ use vc_graph::portable::Portable;
 
 use super::xml::Xml;
 use crate::parts::Junction;
-use crate::{Control, DrivingSide, JunctionId, RoadDraft, SignKind, StreetMap};
+use crate::{Control, DrivingSide, JunctionId, LaneId, RoadDraft, SignKind, StreetMap};
 
 /// The files of a network for netconvert.
 ///
@@ -64,6 +64,26 @@ pub fn write(map: &StreetMap, name: &str) -> SumoFiles {
         lights: lights::lights(map),
         config: config(map, name),
     }
+}
+
+/// The name of a lane in a network that was made of these files: `r3_0`, counted from the outer edge. `None` for lanes that are not written. Costs a look
+/// at the lanes of its road.
+///
+/// ```
+/// # use vc_map::format::sumo;
+/// # use vc_map::{Control, CrossSection, LaneId, MapDraft, RoadClass, Strip};
+/// # let mut draft = MapDraft::new("street", 0.0, 0.0);
+/// # let ends = [[0.0, 0.0], [100.0, 0.0]].map(|at| draft.junction(at, Control::Priority));
+/// # let side = vec![Strip::driving(3.0, 8.3), Strip::pavement(2.0)];
+/// # draft.road(ends[0], ends[1], RoadClass::Residential, CrossSection { forward: side.clone(), backward: side, median: 0.0 });
+/// # let map = draft.build()?; // a street with a lane and a pavement each way
+/// let names = [0, 1, 2, 3].map(|lane| sumo::lane_name(&map, LaneId(lane)).unwrap_or_default());
+/// assert_eq!(names, ["r0_1", "r0_0", "-r0_1", "-r0_0"]);
+/// # Ok::<(), vc_map::MapError>(())
+/// ```
+pub fn lane_name(map: &StreetMap, lane: LaneId) -> Option<String> {
+    let (road, forward, number) = edges::number(map, lane)?;
+    Some(format!("{}_{number}", edges::name(road, forward)))
 }
 
 fn nodes(map: &StreetMap) -> String {
