@@ -4,6 +4,7 @@ use crate::Traffic;
 use crate::fleet::Go;
 use crate::network::NONE;
 use crate::right_of_way::STANDING;
+use crate::swept::is_long;
 use crate::trip::{TrafficEvent, VehicleId};
 
 /// One that has stood for so long is told, seconds, and one that stands in the wrong lane for so long goes where it leads.
@@ -99,7 +100,8 @@ impl Traffic {
         let network = self.network.clone();
         self.roads.leave(self.fleet.link[slot as usize], slot);
         let covered: Vec<u32> = self.roads.covers.iter().filter(|(other, ..)| *other == slot).map(|of| of.1).collect();
-        covered.into_iter().for_each(|movement| self.roads.give(&network, movement));
+        let long = self.is_long(slot);
+        covered.into_iter().for_each(|movement| self.roads.give(&network, movement, long));
         self.roads.covers.retain(|(other, ..)| *other != slot);
         self.stop_leaving(slot);
         self.fleet.remove(slot);
@@ -131,7 +133,7 @@ impl Traffic {
             self.roads.last[link as usize] = slot;
             self.roads.leaves(&network, &self.fleet, link, slot);
             if network.free[network.movement(next)] {
-                self.roads.take(&network, next);
+                self.roads.take(&network, next, self.is_long(slot));
             }
             self.fleet.s[i] -= length;
             self.roads.enter(&mut self.fleet, next, slot);
@@ -163,7 +165,7 @@ impl Traffic {
         covers.retain(|(slot, movement, until)| {
             let covered = self.fleet.way[*slot as usize] < *until;
             if !covered {
-                self.roads.give(&network, *movement);
+                self.roads.give(&network, *movement, is_long(self.length(*slot)));
             }
             covered
         });

@@ -206,7 +206,7 @@ impl Traffic {
             }
             let free = |c: &u32| {
                 let walk = walk(c);
-                !self.foot.late[*c as usize] && self.is_clear(walk.junction as usize, walk.row as usize, NONE)
+                !self.foot.late[*c as usize] && self.is_clear(walk.junction as usize, walk.row as usize, NONE, false)
             };
             let near = station > from - BEGINS - RADIUS;
             if near && empty && crossings.iter().all(free) && self.is_open(spans) {

@@ -9,6 +9,7 @@ use crate::fleet::{Go, Vehicle};
 use crate::follow::HARDEST;
 use crate::journey::Journey;
 use crate::network::NONE;
+use crate::swept::is_long;
 use crate::trip::{PersonId, Trip, VehicleId, Walk};
 
 /// A vehicle is given back with such a gap before and behind it, metres.
@@ -99,10 +100,12 @@ impl Traffic {
         let i = slot as usize;
         let next = self.fleet.next[i];
         match self.fleet.go[i] {
-            Go::No if !network.is_lane(self.fleet.link[i]) => return self.roads.give(&network, next),
+            Go::No if !network.is_lane(self.fleet.link[i]) => {
+                return self.roads.give(&network, next, self.is_long(slot));
+            }
             Go::No => return,
             Go::Inside => self.roads.wait(&network, network.movement(next), false),
-            Go::Over => self.roads.give(&network, next),
+            Go::Over => self.roads.give(&network, next, self.is_long(slot)),
         }
         self.roads.promised[network.to[network.movement(next)] as usize] -= self.room(slot);
     }
@@ -144,7 +147,7 @@ impl Traffic {
             self.roads.leaving[vehicle.beside as usize].push(slot);
         }
         for (movement, until) in covers {
-            self.roads.take(&network, movement);
+            self.roads.take(&network, movement, self.is_long(slot));
             self.roads.covers.push((slot, movement, until));
         }
         for (link, way) in left {
@@ -206,7 +209,7 @@ impl Traffic {
         };
         let is_clear = |link: u32| {
             let (junction, row) = row(link);
-            self.is_clear(junction, row, link)
+            self.is_clear(junction, row, link, is_long(length))
         };
         let inside = on_lane
             || match vehicle.go {
@@ -258,7 +261,7 @@ impl Traffic {
         let [junction, row] = [network.junction[movement], network.row[movement]].map(|number| number as usize);
         match vehicle.go {
             Go::Inside => self.can_wait_on(vehicle.next),
-            _ => self.is_clear(junction, row, vehicle.next),
+            _ => self.is_clear(junction, row, vehicle.next, is_long(self.drivers[vehicle.class as usize].length)),
         }
     }
 
@@ -337,7 +340,7 @@ impl Traffic {
         let passage = &journey.passages[journey.next];
         let free = |c: &u32| {
             let walk = self.network.crosswalks[*c as usize];
-            self.foot.on(*c) > 0 || self.is_clear(walk.junction as usize, walk.row as usize, NONE)
+            self.foot.on(*c) > 0 || self.is_clear(walk.junction as usize, walk.row as usize, NONE, false)
         };
         let stop = |span: &crate::ground::Span| {
             self.on(span.link).all(|slot| {

@@ -30,6 +30,7 @@ mod pose;
 mod right_of_way;
 mod roads;
 mod save;
+mod swept;
 mod timetable;
 mod traffic;
 mod trip;

@@ -152,6 +152,26 @@ impl Network {
         }
     }
 
+    /// Moves the line of a lane back to a station.
+    pub(crate) fn stop_at(&mut self, lane: u32, station: f32) {
+        let length = self.length[lane as usize];
+        self.stop[lane as usize] = station;
+        self.halt[lane as usize] = self.halt[lane as usize].min(halt(f64::from(station), f64::from(length)));
+    }
+
+    /// Has vehicles ask to go by a movement of a junction.
+    pub(crate) fn asks_at(&mut self, junction: usize, link: u32) {
+        let movement = self.movement(link);
+        self.free[movement] = false;
+        let from = self.from[movement];
+        let lanes = &mut self.ways_in[junction];
+        if self.users[link as usize].any(Users::CAR | Users::BUS)
+            && let Err(place) = lanes.binary_search(&from)
+        {
+            lanes.insert(place, from);
+        }
+    }
+
     /// Sets what a junction decides of its movements.
     fn junction(&mut self, number: usize) {
         let map = self.map.clone();

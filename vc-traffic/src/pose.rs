@@ -8,6 +8,7 @@ use vc_map::{LaneId, MovementId, Point};
 
 use crate::Traffic;
 use crate::network::NONE;
+use crate::swept::is_long;
 use crate::trip::VehicleId;
 
 /// Bodies overlap if they do by more than this, metres.
@@ -39,6 +40,12 @@ pub struct Pose {
 }
 
 impl Pose {
+    /// A body of a size, with nothing else known.
+    pub(crate) fn of((at, forward): (Point, Vector2<f64>), size: [f32; 2]) -> Self {
+        let heading = forward.y.angle_to(forward.x);
+        Self { at, heading, speed: 0.0, class: 0, lane: None, movement: None, station: 0.0, size }
+    }
+
     /// The corners of its body, counter-clockwise from the front left.
     pub fn corners(&self) -> [Point; 4] {
         let [forward, left] = self.axes();
@@ -71,6 +78,18 @@ impl Pose {
     }
 }
 
+/// The middle and the direction of a body of a length, metres, whose front is at a station of a way. In turns it swings out by half of what its middle
+/// would cut off; a long one does not, as its rear would come to those beside it.
+pub(crate) fn body(at: impl Fn(f64) -> Point, station: f64, length: f32) -> (Point, Vector2<f64>) {
+    let length = f64::from(length);
+    let [front, middle, rear] = [0.0, length / 2.0, length].map(|behind| at(station - behind));
+    let along = at(station + 0.1) - at(station - 0.1);
+    let forward = (front - rear).try_normalize(1e-3).or(along.try_normalize(1e-6)).unwrap_or_else(Vector2::x);
+    let swing =
+        if is_long(length as f32) { Vector2::zeros() } else { (middle - nalgebra::center(&front, &rear)) / 2.0 };
+    (front - forward * (length / 2.0) + swing, forward)
+}
+
 impl Traffic {
     pub(crate) fn pose(&self, slot: u32) -> Pose {
         let (network, fleet) = (&self.network, &self.fleet);
@@ -78,17 +97,10 @@ impl Traffic {
         let class = &self.classes[fleet.class[i] as usize];
         let link = fleet.link[i];
         let station = fleet.s[i];
-        let line = network.line(link);
-        let front = line.at(f64::from(station));
-        let along = line.direction(f64::from(station));
-        let rear = self.rear(slot, f64::from(station - class.length));
-        let forward = (front - rear).try_normalize(1e-3).unwrap_or(along);
+        let (middle, forward) = body(|station| self.rear(slot, station), f64::from(station), class.length);
         let aside = Vector2::new(-forward.y, forward.x) * f64::from(fleet.aside[i]);
-        // In turns it swings out by half of what its middle would cut off.
-        let middle = nalgebra::center(&front, &rear);
-        let swing = (self.rear(slot, f64::from(station - class.length / 2.0)) - middle) / 2.0;
         Pose {
-            at: front - forward * f64::from(class.length / 2.0) + aside + swing,
+            at: middle + aside,
             heading: forward.y.angle_to(forward.x),
             speed: fleet.v[i],
             class: fleet.class[i],

@@ -7,6 +7,7 @@ use vc_map::Light;
 use crate::Traffic;
 use crate::fleet::Go;
 use crate::network::NONE;
+use crate::swept::is_long;
 
 /// A vehicle that comes to a line asks to go this much before it would begin to brake, metres.
 const AHEAD: f32 = 6.0;
@@ -69,11 +70,11 @@ impl Traffic {
                 continue;
             }
             asking.sort_by(Candidate::order);
-            let mut kept: Vec<usize> = Vec::new();
+            let mut kept: Vec<(usize, bool)> = Vec::new();
             for position in 0..asking.len() {
                 let given = self.decide(junction, &asking, position, &kept);
                 if !given && asking[position].stood > PATIENCE {
-                    kept.push(asking[position].row);
+                    kept.push((asking[position].row, self.is_long(asking[position].slot)));
                 }
             }
         }
@@ -98,10 +99,11 @@ impl Traffic {
             };
             let before = || self.roads.queue[lane as usize].iter().copied().find(waits);
             let Some(slot) = on.filter(waits).or_else(before) else { continue };
-            if self.is_clear(junction, network.row[movement] as usize, *link) {
+            let long = self.is_long(slot);
+            if self.is_clear(junction, network.row[movement] as usize, *link, long) {
                 self.fleet.go[slot as usize] = Go::Over;
                 self.roads.wait(&network, movement, false);
-                self.roads.take(&network, *link);
+                self.roads.take(&network, *link, long);
             }
         }
     }
@@ -185,20 +187,25 @@ impl Traffic {
         match self.fleet.go[i] {
             Go::No => return,
             Go::Inside => self.roads.wait(&network, movement, false),
-            Go::Over => self.roads.give(&network, self.fleet.next[i]),
+            Go::Over => self.roads.give(&network, self.fleet.next[i], self.is_long(slot)),
         }
         self.fleet.go[i] = Go::No;
         self.roads.promised[network.to[movement] as usize] -= self.room(slot);
     }
 
     /// Lets one who asks go, or not.
-    fn decide(&mut self, junction: usize, asking: &[Candidate], position: usize, kept: &[usize]) -> bool {
+    fn decide(&mut self, junction: usize, asking: &[Candidate], position: usize, kept: &[(usize, bool)]) -> bool {
         let network = self.network.clone();
         let one = &asking[position];
         let movement = network.movement(one.link);
         let table = &network.map.junctions()[junction].conflicts;
         // None of those who have waited for too long keeps another one from going.
-        let waits = one.stood <= PATIENCE && kept.iter().any(|row| table.has(one.row, *row));
+        let long = self.is_long(one.slot);
+        let meets = |(row, other): &(usize, bool)| {
+            table.has(one.row, *row)
+                || ((long || *other) && self.swept.as_ref().is_some_and(|swept| swept.meet(junction, one.row, *row)))
+        };
+        let waits = one.stood <= PATIENCE && kept.iter().any(meets);
         if waits || !self.has_room(one.slot, movement) {
             return false;
         }
@@ -211,8 +218,8 @@ impl Traffic {
         } else if self.is_claimed(junction, one.row) {
             return false;
         }
-        let go = if self.is_clear(junction, one.row, one.link) {
-            self.roads.take(&network, one.link);
+        let go = if self.is_clear(junction, one.row, one.link, long) {
+            self.roads.take(&network, one.link, long);
             Go::Over
         } else if self.can_wait_inside(one) {
             self.roads.wait(&network, movement, true);
@@ -233,7 +240,7 @@ impl Traffic {
         let could = |other: &Candidate| {
             self.fleet.go[other.slot as usize] == Go::No
                 && self.has_room(other.slot, self.network.movement(other.link))
-                && self.is_clear(junction, other.row, other.link)
+                && self.is_clear(junction, other.row, other.link, self.is_long(other.slot))
         };
         let others = asking.iter().enumerate().filter(|(other, _)| *other != position).map(|(_, other)| other);
         others.filter(|other| yields.contains(&(other.row as u32)) && could(other)).any(|other| {
@@ -244,11 +251,22 @@ impl Traffic {
         })
     }
 
-    /// Whether nobody is in the way of a movement.
-    pub(crate) fn is_clear(&self, junction: usize, row: usize, link: u32) -> bool {
+    /// Whether a vehicle is so long that it cuts corners.
+    pub(crate) fn is_long(&self, slot: u32) -> bool {
+        is_long(self.length(slot))
+    }
+
+    /// Whether nobody is in the way of a movement, of a long vehicle or another.
+    pub(crate) fn is_clear(&self, junction: usize, row: usize, link: u32, long: bool) -> bool {
         let network = &self.network;
         let table = &network.map.junctions()[junction].conflicts;
         if !table.free(row, &self.roads.busy[junction]) {
+            return false;
+        }
+        let others = if long { &self.roads.busy } else { &self.roads.long_on };
+        let swept = self.swept.as_ref().is_some_and(|swept| !swept.is_free(junction, row, &others[junction]));
+        // A long one waits for all who are within the junction.
+        if swept || (long && self.roads.inside[junction] > u16::from(self.waits_on(link))) {
             return false;
         }
         if self.roads.inside[junction] == 0 {
@@ -268,6 +286,9 @@ impl Traffic {
     fn can_wait_inside(&self, one: &Candidate) -> bool {
         let network = &self.network;
         let movement = network.movement(one.link);
+        if self.is_long(one.slot) {
+            return false;
+        }
         if network.hold[movement] == 0.0
             || self.roads.waiting[movement] > 0
             || self.roads.taken[movement] > 0
@@ -276,6 +297,11 @@ impl Traffic {
             return false;
         }
         self.can_wait_on(one.link)
+    }
+
+    /// Whether somebody waits on a movement within a junction.
+    fn waits_on(&self, link: u32) -> bool {
+        link != NONE && self.roads.waiting[self.network.movement(link)] > 0
     }
 
     /// Whether nobody is in the way of who waits on a movement within a junction.

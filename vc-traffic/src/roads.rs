@@ -30,6 +30,9 @@ pub(crate) struct Roads {
     /// For each junction: the rows of movements and crossings that are taken, as bits, and the number of those who wait within it.
     pub(crate) busy: Vec<Vec<u64>>,
     pub(crate) inside: Vec<u16>,
+    /// Of these, for each movement the number of those who are long, and for each junction the rows with such.
+    long: Vec<u16>,
+    pub(crate) long_on: Vec<Vec<u64>>,
     /// Those whose rear still covers a movement that their front has left: the movement, and the way after which it does not, metres.
     pub(crate) covers: Vec<(u32, u32, f32)>,
 }
@@ -48,6 +51,8 @@ impl Roads {
             waiting: vec![0; links - lanes],
             busy: network.map.junctions().iter().map(|of| vec![0; of.conflicts.size().div_ceil(64)]).collect(),
             inside: vec![0; network.rows.len()],
+            long: vec![0; links - lanes],
+            long_on: network.rows.iter().map(|rows| vec![0; rows.len().div_ceil(64)]).collect(),
             covers: Vec::new(),
         }
     }
@@ -82,19 +87,31 @@ impl Roads {
     }
 
     /// Notes that one more may go over a junction, or is on the way.
-    pub(crate) fn take(&mut self, network: &Network, link: u32) {
+    pub(crate) fn take(&mut self, network: &Network, link: u32, long: bool) {
         let movement = network.movement(link);
         self.taken[movement] += 1;
         self.mark(network, movement, true);
+        if long {
+            self.long[movement] += 1;
+            self.mark_long(network, movement, true);
+        }
     }
 
     /// Notes that one fewer is.
-    pub(crate) fn give(&mut self, network: &Network, link: u32) {
+    pub(crate) fn give(&mut self, network: &Network, link: u32, long: bool) {
         let movement = network.movement(link);
         self.taken[movement] -= 1;
         if self.taken[movement] == 0 {
             self.mark(network, movement, false);
         }
+        if long {
+            self.long[movement] -= 1;
+            self.mark_long(network, movement, self.long[movement] > 0);
+        }
+    }
+
+    fn mark_long(&mut self, network: &Network, movement: usize, on: bool) {
+        set(&mut self.long_on[network.junction[movement] as usize], network.row[movement], on);
     }
 
     fn mark(&mut self, network: &Network, movement: usize, on: bool) {
@@ -103,9 +120,7 @@ impl Roads {
 
     /// Notes whether somebody is on a movement, or on a crossing.
     pub(crate) fn cross(&mut self, junction: usize, row: u32, on: bool) {
-        let word = &mut self.busy[junction][row as usize / 64];
-        let bit = 1 << (row % 64);
-        *word = if on { *word | bit } else { *word & !bit };
+        set(&mut self.busy[junction], row, on);
     }
 
     /// Whether somebody is on a movement or a crossing of a junction.
@@ -194,4 +209,11 @@ impl Roads {
     pub(crate) fn leave(&mut self, link: u32, slot: u32) {
         self.queue[link as usize].retain(|other| *other != slot);
     }
+}
+
+/// Sets a bit of a list, or clears it.
+fn set(words: &mut [u64], row: u32, on: bool) {
+    let word = &mut words[row as usize / 64];
+    let bit = 1 << (row % 64);
+    *word = if on { *word | bit } else { *word & !bit };
 }

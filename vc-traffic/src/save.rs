@@ -265,8 +265,9 @@ impl Traffic {
     /// Takes the movements, and the room behind them, of all who may go or are on them.
     fn promise_all(&mut self) {
         let network = self.network.clone();
-        let covers: Vec<u32> = self.roads.covers.iter().map(|(_, link, _)| *link).collect();
-        covers.into_iter().for_each(|link| self.roads.take(&network, link));
+        let covers: Vec<(u32, bool)> =
+            self.roads.covers.iter().map(|(slot, link, _)| (*link, self.is_long(*slot))).collect();
+        covers.into_iter().for_each(|(link, long)| self.roads.take(&network, link, long));
         let slots: Vec<u32> = self.slots.values().copied().collect();
         slots.into_iter().for_each(|slot| self.promise(slot));
     }
@@ -278,10 +279,12 @@ impl Traffic {
         let next = self.fleet.next[i];
         match self.fleet.go[i] {
             // On a movement that is always free.
-            Go::No if !network.is_lane(self.fleet.link[i]) => return self.roads.take(&network, next),
+            Go::No if !network.is_lane(self.fleet.link[i]) => {
+                return self.roads.take(&network, next, self.is_long(slot));
+            }
             Go::No => return,
             Go::Inside => self.roads.wait(&network, network.movement(next), true),
-            Go::Over => self.roads.take(&network, next),
+            Go::Over => self.roads.take(&network, next, self.is_long(slot)),
         }
         self.roads.promised[network.to[network.movement(next)] as usize] += self.room(slot);
     }

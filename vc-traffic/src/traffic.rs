@@ -18,6 +18,7 @@ use crate::ground::Links;
 use crate::lights;
 use crate::network::{NONE, Network};
 use crate::roads::Roads;
+use crate::swept::{Swept, is_long};
 use crate::trip::{PersonId, TrafficEvent, Trip, VehicleId, Waiting, Walk};
 use crate::{Obstacle, Pose, VehicleClass};
 
@@ -104,6 +105,8 @@ pub enum TrafficError {
 #[derive(Clone)]
 pub struct Traffic {
     pub(crate) network: Arc<Network>,
+    /// The swept paths of long vehicles, if there are such.
+    pub(crate) swept: Option<Arc<Swept>>,
     pub(crate) router: Arc<Router>,
     pub(crate) classes: Arc<Vec<VehicleClass>>,
     pub(crate) drivers: Arc<Vec<Driver>>,
@@ -147,11 +150,12 @@ impl Traffic {
         if options.classes.is_empty() || options.classes.len() > 255 {
             return Err(TrafficError::Classes(options.classes.len()));
         }
-        let network = Network::new(map);
+        let mut network = Network::new(map);
         for (number, trip) in trips.iter().enumerate() {
             let fault = |reason| TrafficError::Trip { vehicle: VehicleId(number as u32), reason };
             check(&network, trip, options.classes.len()).map_err(fault)?;
         }
+        let swept = longest(&trips, &options.classes).map(|size| Arc::new(Swept::new(&mut network, size)));
         let mut order: Vec<u32> = (0..trips.len() as u32).collect();
         order.sort_by(|a, b| trips[*a as usize].departs.total_cmp(&trips[*b as usize].departs).then(a.cmp(b)));
         let drivers = options.classes.iter().map(Driver::new).collect();
@@ -160,6 +164,7 @@ impl Traffic {
             phases: vec![0; map.signals().len()],
             router: Arc::new(Router::new(map, Mode::Car)),
             network: Arc::new(network),
+            swept,
             classes: Arc::new(options.classes.clone()),
             drivers: Arc::new(drivers),
             trips: Arc::new(trips),
@@ -326,6 +331,14 @@ impl Traffic {
             _ => Waiting::Others,
         }
     }
+}
+
+/// The greatest length and width of the long vehicles of some trips.
+fn longest(trips: &[Trip], classes: &[VehicleClass]) -> Option<[f32; 2]> {
+    let used = |number: &usize| trips.iter().any(|trip| usize::from(trip.class) == *number);
+    let long = (0..classes.len()).filter(|number| is_long(classes[*number].length)).filter(used);
+    let sizes = long.map(|number| [classes[number].length, classes[number].width]);
+    sizes.reduce(|most, size| [most[0].max(size[0]), most[1].max(size[1])])
 }
 
 /// Why a trip cannot be made of its numbers.

@@ -7,6 +7,7 @@ mod extracts;
 mod foot;
 mod grid;
 mod hooks;
+mod long;
 mod measures;
 mod people;
 mod rules;
