@@ -6,7 +6,7 @@
     python benches/peers/traffic.py --sumo --size 6 --cars 400  # a smaller grid
 
 Streets are 200 m from junction to junction, with two lanes in each direction; 11,500 cars set out within 200 s between random streets, as
-in the bench. SUMO's steps are its usual ones, of a second; ours are a tenth of one. The seconds from 210 to 270 are timed, as the
+in the bench. SUMO's steps are its usual ones, of a second; ours are a tenth of one, and timed by the clock, on one thread. The seconds from 210 to 270 are timed, as the
 difference between two runs, so that loading, routes and departures before do not count. Without `eclipse-sumo` it says so and ends well.
 """
 

@@ -1,6 +1,6 @@
 //! Costs of traffic: steps of a tenth of a second on a grid of 30 by 30 junctions with lights, 200 m apart, two lanes in each
-//! direction, with some 1,000 and some 10,000 vehicles on the road; and people on foot: 10,000 on ways, and some on a grid of 10 by 10
-//! junctions with pavements, crossings and houses.
+//! direction, with some 1,000 and some 10,000 vehicles on the road; people on foot: 10,000 on ways, and some on a grid of 10 by 10
+//! junctions with pavements, crossings and houses; and the timetable of 10,000 people there: a day, and asking for everybody.
 //!
 //! All set out within the first part of the run; times are those of the steps after it, with a core to itself if the machine has
 //! one. `cargo bench -p vc-traffic --bench traffic`
@@ -14,9 +14,10 @@ use std::sync::Arc;
 use std::time::Instant;
 
 use vc_graph::Seed;
+use vc_graph::clock::Tick;
 use vc_map::{Control, DrivingSide, Polyline};
 use vc_testkit::page::{Page, time};
-use vc_traffic::{Crowd, PersonId, Traffic, TrafficOptions, Walker, Way};
+use vc_traffic::{Crowd, Demand, LandUse, PersonId, Timetable, TimetableOptions, Traffic, TrafficOptions, Walker, Way};
 
 /// Steps in which vehicles set out, and those that are timed.
 const BEFORE: usize = 2100;
@@ -51,6 +52,7 @@ fn main() {
     let mut rows: Vec<_> = [0.15, 0.5, 1.0, 2.0].map(crowd).into();
     rows.push(town());
     page.table(&["people", "a step", "for each", "of real time"], &rows);
+    page.table(&["a day of", "to make", "places of all at 3:00", "7:45", "17:00"], &[timetable()]);
     page.finish();
 }
 
@@ -98,4 +100,27 @@ fn town() -> Vec<String> {
     let begun = Instant::now();
     (0..WALKED).for_each(|_| traffic.step());
     row(format!("{people} on a map"), people, begun.elapsed().as_secs_f64())
+}
+
+/// A day of ten thousand people on a map, made and asked for.
+fn timetable() -> Vec<String> {
+    const PEOPLE: u32 = 10_000;
+    const KINDS: [&str; 6] = ["apartments", "house", "office", "apartments", "retail", "school"];
+    let mut draft = grid::town(10, 2, Control::Signals, DrivingSide::Right).draft().clone();
+    let houses = draft.buildings.iter_mut().enumerate();
+    houses.for_each(|(number, building)| building.kind = KINDS[number % KINDS.len()].to_owned());
+    let map = draft.build().unwrap();
+    let demand = Demand::of_land_use(&map, &LandUse::default(), PEOPLE as usize, Seed(7));
+    let options = TimetableOptions { days: 1, ..TimetableOptions::default() };
+    let begun = Instant::now();
+    let timetable = Timetable::new(&map, &demand, &options, Seed(7)).unwrap();
+    let made = begun.elapsed().as_secs_f64();
+    let asked = [3.0, 7.75, 17.0].map(|hours| {
+        let tick = Tick((hours * 3600.0 * 60.0) as u64);
+        let begun = Instant::now();
+        let found = (0..PEOPLE).filter(|person| timetable.place_at(PersonId(*person), tick).is_some()).count();
+        assert_eq!(found, PEOPLE as usize);
+        time(begun.elapsed().as_secs_f64())
+    });
+    [vec![format!("{PEOPLE} people"), time(made)], asked.to_vec()].concat()
 }
