@@ -30,7 +30,7 @@ pub(crate) struct Roads {
     /// For each junction: the rows of movements and crossings that are taken, as bits, and the number of those who wait within it.
     pub(crate) busy: Vec<Vec<u64>>,
     pub(crate) inside: Vec<u16>,
-    /// Of these, for each movement the number of those who are long, and for each junction the rows with such.
+    /// For each movement the number of long ones among these, and for each junction the rows with such.
     long: Vec<u16>,
     pub(crate) long_on: Vec<Vec<u64>>,
     /// Those whose rear still covers a movement that their front has left: the movement, and the way after which it does not, metres.

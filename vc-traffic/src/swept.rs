@@ -24,7 +24,7 @@ pub(crate) fn is_long(length: f32) -> bool {
 }
 
 impl Swept {
-    /// What is in the way of vehicles of a size, and moves the lines of a network back to where they sweep past nobody who waits there. Costs a comparison of
+    /// Finds the ways in the way of vehicles of a size, and moves the lines of a network back to where they sweep past nobody who waits there. Costs a comparison of
     /// bodies at each metre of each pair of ways over a junction that come near each other.
     pub(crate) fn new(network: &mut Network, size: [f32; 2]) -> Self {
         let junctions = 0..network.rows.len();

@@ -1,4 +1,4 @@
-//! What is due while a timetable is made, in the order of its time.
+//! All that is due while a timetable is made, in the order of its time.
 
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;

@@ -8,7 +8,7 @@ use super::demand::{Demand, DemandError, Errand, Outing, Resident, lines};
 
 const BUILT_IN: &str = include_str!("../../data/land_use.txt");
 
-/// Of so many places that fit, drawn by their size, one is chosen by how near it is.
+/// One is chosen by how near it is, of so many places that fit and are drawn by their size.
 const LOOKS_AT: usize = 12;
 /// Places are chosen less the further they are: by a factor of e for so many metres.
 const FAR: [(Errand, f32); 4] =

@@ -78,7 +78,7 @@ pub enum Whereabouts {
     Indoors {
         /// Its door.
         door: EntranceId,
-        /// What they do there.
+        /// Their reason to be there.
         errand: Errand,
     },
     /// On the way on foot.
@@ -124,7 +124,7 @@ enum Activity {
     Drive(u32),
 }
 
-/// What somebody does from a tick on.
+/// A part of somebody's time, from a tick on.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Stage {
     begins: u32,
@@ -133,7 +133,7 @@ struct Stage {
 
 /// Where everybody in a city is at any tick. People leave home when they mean to, walk or drive, wait at lights and in queues, and come back; all of
 /// that is made once, event by event: on each lane vehicles go at its limit, wait in a queue for those ahead, for lights, for those who go
-/// first and for room behind the junction, and leave it one by one. What is asked for afterwards is a function of the tick, costs nothing while
+/// first and for room behind the junction, and leave it one by one. A place that is asked for afterwards is a function of the tick, costs nothing while
 /// nobody asks, and is the same whoever asks in which order. Tick 0 is midnight before a Monday. Clones share everything.
 ///
 /// ```
@@ -170,7 +170,7 @@ struct Table {
     paces: Arc<Paces>,
     ground: Arc<Ground>,
     car: VehicleClass,
-    /// What each does, one after the other, and where each begins.
+    /// The stages of each, one after the other, and where those of each begin.
     stages: Vec<Stage>,
     first: Vec<u32>,
     speeds: Vec<f32>,
@@ -322,7 +322,7 @@ impl Timetable {
 }
 
 impl Table {
-    /// What somebody does at a tick.
+    /// The stage of somebody at a tick.
     fn stage(&self, person: PersonId, tick: Tick) -> Option<Stage> {
         let number = person.0 as usize;
         let [from, to] = [*self.first.get(number)?, *self.first.get(number + 1)?];

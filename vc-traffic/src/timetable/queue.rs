@@ -24,7 +24,7 @@ const GAP: u32 = 4 * 60;
 const CLEAR: u32 = 60 + 30;
 /// The time to stop at a sign; ticks.
 const STOPS: u32 = 2 * 60;
-/// Of those who wait for each other the one goes that has waited longest, after this time; ticks.
+/// The one that has waited longest goes before others who wait for each other, after this time; ticks.
 const EQUAL: u32 = 4 * 60;
 /// Nobody gives way for longer, and nobody waits longer for room, in a ring of lanes that are full for example; ticks.
 const PATIENCE: u32 = 60 * 60;
@@ -143,7 +143,7 @@ impl Queues {
         Some(drive)
     }
 
-    /// Of the lanes of a side from which one goes on, the one that is nearest to the kerb's.
+    /// The lane of a side from which one goes on that is nearest to the kerb's.
     fn lanes_to(&self, side: u32, after: Option<u32>, kerb: u32) -> Option<u32> {
         let lanes = self.network.sides[side as usize].iter().copied().filter(|lane| self.leads(*lane, after));
         lanes.min_by_key(|lane| (lane.abs_diff(kerb), *lane))

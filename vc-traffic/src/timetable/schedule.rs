@@ -47,7 +47,7 @@ pub(super) struct Schedule<'a> {
     residents: &'a [Resident],
     days: u32,
     class: &'a VehicleClass,
-    /// What one loses by setting out from a standstill, ticks.
+    /// The time that one loses by setting out from a standstill, ticks.
     starts: u32,
     pub(super) queues: Queues,
     pub(super) ways: Vec<FootWay>,
@@ -60,7 +60,7 @@ pub(super) struct Schedule<'a> {
     walks: BTreeMap<(EntranceId, EntranceId), Option<u32>>,
     to_kerbs: BTreeMap<EntranceId, Option<[u32; 2]>>,
     drives: BTreeMap<(EntranceId, EntranceId), Option<Drive>>,
-    /// What each is to drive, by person.
+    /// The drive that each is to make, by person.
     driving: Vec<Option<Drive>>,
 }
 
