@@ -226,7 +226,8 @@ impl Timetable {
         self.of.speeds.len()
     }
 
-    /// Where somebody is at a tick; `None` for numbers beyond the last. Costs some searches in lists: less than a microsecond.
+    /// Where somebody is at a tick; `None` for numbers beyond the last. Costs two searches in lists, and for those on foot a look
+    /// at each light on their way.
     pub fn place_at(&self, person: PersonId, tick: Tick) -> Option<Whereabouts> {
         let table = &*self.of;
         let Stage { begins, activity } = table.stage(person, tick)?;
