@@ -150,7 +150,7 @@ fn what_flies_while_an_action_ends_falls_on() {
     let mut made = City::of(scenes).agents(1).make().unwrap();
     let (me, ball) = (made.agents().next().unwrap(), made.peek(gallery).unwrap().graph().of_class("ball")[0]);
     made.go(me, building.yard()).unwrap();
-    for wait in [12, 20, 28, 36] {
+    for wait in [20, 28] {
         let mut city = made.clone();
         city.give(me, Action::zero(Verb::Wave)).unwrap();
         let mut endings = city.step(Span(wait));

@@ -2,7 +2,7 @@
 
 use std::f32::consts::{FRAC_PI_2, PI};
 
-use vc_shapes::material::{CONCRETE, GRASS, GRAVEL};
+use vc_shapes::material::{GRASS, GRAVEL};
 
 use super::measures::{BEYOND, PATH, SLAB, YARD};
 use super::parts::{Maker, block, built, floor, placed};
@@ -41,9 +41,6 @@ pub(super) fn items(plot: &Area, built_on: &[Area], maker: Maker<'_>) -> Vec<Ite
     ground.chain(hedges(maker)).chain(things).chain(tree).chain([below(plot, built_on, maker)]).collect()
 }
 
-/// How far a plinth stays within what stands on it, metres.
-const UNDER: f32 = 0.01;
-
 /// The ground on which all stands. It is drawn where nothing is built, so that light falls on it as it does there, and goes on
 /// unseen beyond the plot for what rolls on.
 fn below(plot: &Area, built_on: &[Area], maker: Maker<'_>) -> Item {
@@ -52,10 +49,6 @@ fn below(plot: &Area, built_on: &[Area], maker: Maker<'_>) -> Item {
         b.visual_only(|b| {
             for area in free(plot, built_on) {
                 b.block("ground", [area.x0, area.y0, low], [area.x1, area.y1, high], GRAVEL);
-            }
-            // Outer walls stand on a plinth: slabs end within them.
-            for area in built_on.iter().map(|area| area.grown(-UNDER)) {
-                b.block("plinth", [area.x0, area.y0, low], [area.x1, area.y1, -UNDER], CONCRETE);
             }
         });
         let all = plot.grown(BEYOND);
