@@ -25,6 +25,8 @@ const STRAIGHT: f64 = 0.01;
 const NEAR: f64 = 0.1;
 /// The least width of the corridor before a front door, metres.
 const PASSAGE: f64 = 1.2;
+/// The least part of a flat's side at the corridor along which that is so wide.
+const REACHED: f64 = 0.6;
 /// Windows keep this far from the corners of a site, cells.
 const CORNER: i32 = 4;
 
@@ -66,10 +68,10 @@ impl CityPlan {
     /// ```
     /// use vc_procgen::city::{CityPlan, CitySpecification};
     /// use vc_procgen::{Apartment, Specification};
-    /// let wishes = CitySpecification { area: 0.1, ..CitySpecification::default() };
+    /// let wishes = CitySpecification { area: 0.2, ..CitySpecification::default() };
     /// let city = CityPlan::generate(&wishes, vc_graph::Seed(7))?;
-    /// let flats = |index: usize| city.buildings()[index].units(1).into_iter().filter_map(move |unit| city.flat(index, &unit));
-    /// let flat = (0..city.buildings().len()).flat_map(flats).next().ok_or("no flat")?;
+    /// let house = city.buildings().iter().position(|building| building.homes() > 6).ok_or("no flats")?;
+    /// let flat = city.buildings()[house].units(1).iter().find_map(|unit| city.flat(house, unit)).ok_or("no flat")?;
     /// // Furnish it as any other plan.
     /// let home = Apartment::generate(&Specification { plan: Some(flat.plan), ..Specification::default() }, vc_graph::Seed(1))?;
     /// assert!(home.check().is_empty());
@@ -126,6 +128,9 @@ impl CityBuilding {
         let mut free = (0..=width).filter(behind);
         let first = free.next()?;
         let door = (first, free.next_back()?);
+        if f64::from(door.1 - door.0) < f64::from(width) * REACHED {
+            return None;
+        }
         let site = Site { width, depth: deep, windows, door, ceiling, shell: SHELL };
         site.check().is_ok().then_some(FlatSite { site, at, along })
     }

@@ -13,7 +13,7 @@ use vc_procgen::city::{
 };
 
 /// The digests of the texts of plans of seeds 0, 1 and 2: the same on every machine.
-const DIGESTS: [&str; 3] = ["e04f51e5e6f88438", "b5385096af8f8bb2", "6f5e42116fdcbdb1"];
+const DIGESTS: [&str; 3] = ["19ca7c67f9165844", "3caa84b00eb531c2", "9e4b1631d0483940"];
 
 fn plan(seed: u64) -> CityPlan {
     CityPlan::from_seed(Seed(seed)).unwrap()
