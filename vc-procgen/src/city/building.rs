@@ -42,7 +42,8 @@ pub struct Unit {
     pub storeys: usize,
     /// Its floor plan; whatever lies beyond a side is a street, a court, a neighbour, or more of the building.
     pub outline: Convex,
-    /// Its door: on the street for a shop or a house, else on the corridor.
+    /// Its door: on the street for a shop or a house, else the middle of its side at the corridor; the plan of a
+    /// [flat](super::CityPlan::flat) says where along that it is.
     pub door: Point,
     /// The places in its facades where windows may be.
     pub windows: Vec<WindowSlot>,
