@@ -68,6 +68,10 @@ pub(super) const AJAR: f32 = 0.1;
 /// How far over a threshold a thing's middle is when it goes over to the region beyond, metres: what lies on the line does
 /// not go to and fro.
 pub(super) const OVER: f32 = 0.02;
+/// How near to the line the floor below a thing decides in which region it is, and how far from the height of the threshold that floor
+/// may be, metres.
+pub(super) const ON_LINE: f32 = 0.2;
+pub(super) const FLUSH: f32 = 0.1;
 /// How far over it goes with those that it touches, metres; what stands beyond is in the way for as far again.
 pub(super) const TOGETHER: f32 = 1.0;
 /// How far beyond a threshold, or beside it, a thing has come through it, metres.

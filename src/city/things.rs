@@ -11,8 +11,7 @@ use vc_graph::space::{Portal, PortalSide, RegionId};
 use vc_graph::{Aabb, NodeId, Pose};
 use vc_physics::BodyRole;
 
-use super::fall::ground;
-use super::measures::{ASIDE, BEHIND, NEAR, OVER, TOGETHER, TOUCHING};
+use super::measures::{ASIDE, BEHIND, DEEPEST, FLUSH, NEAR, ON_LINE, OVER, TOGETHER, TOUCHING};
 use super::record::Order;
 use super::{City, CityError};
 use crate::Environment;
@@ -27,7 +26,8 @@ pub(super) struct Gate {
     /// Takes poses of the first region to the other.
     shift: Pose,
     width: f32,
-    height: f32,
+    /// How high above the threshold things go through it, metres.
+    top: f32,
     leaf: Option<NodeId>,
     room: Option<NodeId>,
 }
@@ -38,7 +38,7 @@ impl Gate {
         let (out, back) = (self.own.inverse_transform_point(at), self.across.inverse_transform_point(at));
         let over = (out.x - back.x) / 2.0;
         let (aside, lowest) = (self.width / 2.0 + ASIDE, -ASIDE);
-        let is_behind = out.y.abs() < aside && (lowest..self.height + ASIDE).contains(&out.z);
+        let is_behind = out.y.abs() < aside && (lowest..self.top).contains(&out.z);
         (is_behind && over < BEHIND).then_some(over)
     }
 
@@ -49,13 +49,23 @@ impl Gate {
         is_in_opening && self.beyond(at).is_some_and(|over| over > -ASIDE)
     }
 
-    /// Whether a thing of the first region is over something fixed of it that is above the threshold: on the next flight of
-    /// stairs, which leads over the portal.
-    fn is_above(&self, there: &Environment, thing: NodeId, at: &Point3<f32>) -> bool {
-        let below = ground(there, at, &there.graph().carried_with(thing));
-        below.is_some_and(|(id, hit)| {
-            there.world().role(id) == Some(BodyRole::Fixed) && self.own.inverse_transform_point(&hit).z > ASIDE
-        })
+    /// How far a thing of the first region is over the line, metres, if it is to go to the other region. Near the line the floor
+    /// decides: whatever is over its own floor stays, and so does what is on the next flight of stairs, which leads over the portal;
+    /// whatever is over the floor beyond goes.
+    fn takes(&self, there: &Environment, thing: NodeId) -> Option<f32> {
+        let at = there.world().body(thing).ok()?.centre_of_mass();
+        let over = self.beyond(&at).filter(|over| *over > -ON_LINE)?;
+        let below = there.world().ray(at, at - DEEPEST * Vector3::z(), &there.graph().carried_with(thing));
+        let below = below.map(|(id, hit)| (id, self.own.inverse_transform_point(&hit).z));
+        let is_own = |id: NodeId| there.graph().node(id).is_some();
+        let goes = match below {
+            Some((id, height)) if !is_own(id) && height.abs() < FLUSH => true,
+            Some((id, height)) if is_own(id) && there.world().role(id) == Some(BodyRole::Fixed) => {
+                over > OVER && height.abs() >= FLUSH && height <= ASIDE
+            }
+            _ => over > OVER,
+        };
+        goes.then_some(over)
     }
 
     /// Whether a box reaches over the line.
@@ -156,7 +166,8 @@ impl City {
             across: back * across.pose,
             shift: self.pose_in(into, from)?,
             width: plan.width,
-            height: plan.height,
+            // Over the head of stairs is the next storey.
+            top: if plan.stairs.is_empty() { plan.height + ASIDE } else { plan.height },
             leaf: plan.leaf.filter(|leaf| self.region_of(*leaf) == Some(from)),
             room: across.room,
         })
@@ -197,18 +208,16 @@ impl City {
     /// Lets things go over to the region beyond a portal where they are, unless they go on with others here.
     fn send_over(&mut self, gate: &Gate) {
         let Some(there) = self.active.get(&gate.from) else { return };
-        let over = |there: &Environment, id: &NodeId| {
-            let at = there.world().body(*id).ok()?.centre_of_mass();
-            gate.beyond(&at).filter(|over| *over > OVER && !gate.is_above(there, *id, &at))
-        };
-        if !loose(there).any(|id| over(there, &id).is_some()) {
+        if !loose(there).any(|id| gate.takes(there, id).is_some()) {
             return;
         }
         let Some(there) = self.active.get_mut(&gate.from) else { return };
         there.catch_up();
         let there = &*there;
         let alone = loose(there).filter(|id| there.carrier(*id) == *id);
-        let goes = |id: &NodeId| over(there, id).is_some_and(|far| far > TOGETHER || !is_with_others(there, gate, *id));
+        let goes = |id: &NodeId| {
+            gate.takes(there, *id).is_some_and(|over| over > TOGETHER || !is_with_others(there, gate, *id))
+        };
         for thing in alone.filter(goes).collect::<Vec<NodeId>>() {
             // It stays here if there is no place for it beyond.
             let _ = self.carry_over(thing, (gate.from, gate.into), &gate.shift, gate.room);

@@ -27,10 +27,14 @@ impl Environment {
     /// Takes a loose thing out of the environment of a region, with all that is on or in it, as it moves. Where it has been
     /// is forgotten: what it lies on beyond is nothing of this region.
     pub(crate) fn send_off(&mut self, thing: NodeId, region: RegionId) -> Result<Freight, TravelError> {
+        self.catch_up();
         let mut graph = self.graph.clone();
         let mut edit = graph.edit();
-        // It is no room, and nobody holds what is loose.
-        let _ = edit.detach(thing);
+        let gone = |id: &NodeId| *id == thing || self.carrier(*id) != thing;
+        for id in self.graph.carried_with(thing).into_iter().filter(gone) {
+            // It is no room, and nobody holds what is loose. Whatever was on or in the thing and flies elsewhere stays here.
+            let _ = edit.detach(id);
+        }
         let left = edit.commit();
         let load = Load::new(&graph, thing, region)?;
         let nodes: Vec<NodeId> = load.ids().filter(|id| self.world.role(*id).is_some()).collect();
@@ -49,6 +53,7 @@ impl Environment {
         (region, room): (RegionId, NodeId),
         shift: &Pose,
     ) -> Result<(), TravelError> {
+        self.catch_up();
         self.clock.about_to_change(&self.graph);
         let changes = freight.load.enter((&mut self.graph, region), shift, room)?;
         let asset = |id| self.graph.node(id).and_then(|node| node.spec().asset);
@@ -83,7 +88,7 @@ impl Environment {
             || self.agents().iter().any(|agent| self.current_action(*agent).is_some_and(moves))
     }
 
-    /// Reads what has moved, so that it is known on what things rest that are about to go.
+    /// Reads what has moved, before nodes come or go: so that it is known on what things rest, and with whom they go.
     pub(crate) fn catch_up(&mut self) {
         // Whatever fell out of here is elsewhere in the city.
         drop(self.read_moved());
@@ -104,12 +109,12 @@ impl Environment {
         let nodes: Vec<NodeId> = load.ids().collect();
         self.clock.note(changes.clone());
         let moving: Vec<NodeId> = nodes.iter().copied().filter(|id| !self.world.rests(&[*id])).collect();
-        self.clock.set_adrift(&moving);
+        self.set_adrift(&moving);
         self.excuse(&nodes);
         Ok(self.read_anew(&nodes)?)
     }
 
-    /// Reads relations anew, since nodes have come or gone.
+    /// Reads relations anew, since nodes have come or gone. Whatever has moved before is [read](Self::catch_up) by then.
     fn read_anew(&mut self, nodes: &[NodeId]) -> Result<(), PhysicalRefusal> {
         let here: Vec<NodeId> = nodes.iter().copied().filter(|id| self.graph.node(*id).is_some()).collect();
         let (_, poses) = observe::write_poses(&mut self.graph, &self.world)?;

@@ -106,8 +106,7 @@ impl Environment {
         pushed.map_err(|why| PhysicalRefusal::from(why).in_scene(&self.graph))?;
         (self.clock.stirred, self.clock.unseen) = (true, true);
         let pushed = self.graph.carried_with(thing);
-        self.clock.set_adrift(&pushed);
-        self.excuse(&pushed);
+        self.set_adrift(&pushed);
         Ok(())
     }
 }

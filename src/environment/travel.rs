@@ -82,6 +82,7 @@ impl Environment {
         if self.current_action(agent).is_some() || self.controlled(agent).is_some() {
             return Err(TravelError::Busy(self.graph.label(agent)));
         }
+        self.catch_up();
         let load = Load::new(&self.graph, agent, region)?;
         let body = self.world.depart(agent).map_err(|why| PhysicalRefusal::from(why).in_scene(&self.graph))?;
         self.poses.remove(&agent);
@@ -100,6 +101,7 @@ impl Environment {
         feet: Pose,
         (towards, fits): (Point2<f32>, impl Fn(&Self, &Point2<f32>) -> bool),
     ) -> Result<(Point2<f32>, ChangeSet), TravelError> {
+        self.catch_up();
         let before = self.graph.clone();
         self.clock.about_to_change(&self.graph);
         let changes = who.load.enter((&mut self.graph, region), shift, room)?;

@@ -1,6 +1,7 @@
 //! Answering for what is elsewhere than an action's rule has it: others may have moved it.
 
 use vc_graph::{Action, NodeId, Relation, SceneGraph};
+use vc_physics::BodyRole;
 
 use super::Interruption;
 use super::schedule::Schedule;
@@ -56,6 +57,32 @@ impl Environment {
     pub(in crate::environment) fn excuse(&mut self, touched: &[NodeId]) {
         let truths = self.clock.running.values_mut().filter_map(|other| other.truth.as_mut());
         truths.for_each(|truth| truth.excuse(touched));
+    }
+
+    /// Something moves that no action answers for.
+    pub(in crate::environment) fn set_adrift(&mut self, things: &[NodeId]) {
+        self.clock.adrift.extend(things);
+        self.excuse(things);
+    }
+
+    /// Whatever touches what is adrift, and moves, is adrift from now on: it has been hit, or has lost its support.
+    pub(super) fn spread_adrift(&mut self) {
+        let is_loose = |thing: &NodeId| self.world.role(*thing) == Some(BodyRole::Loose);
+        let mut left: Vec<NodeId> = self.clock.adrift.iter().copied().filter(is_loose).collect();
+        let mut met = Vec::new();
+        while let Some(thing) = left.pop() {
+            let contacts = self.world.body(thing).map(|body| body.contacts()).unwrap_or_default();
+            for other in contacts.into_iter().map(|met| if met.a == thing { met.b } else { met.a }) {
+                let moves = self.world.role(other) == Some(BodyRole::Loose) && !self.world.rests(&[other]);
+                if moves && self.clock.adrift.insert(other) {
+                    left.push(other);
+                    met.push(other);
+                }
+            }
+        }
+        if !met.is_empty() {
+            self.excuse(&met);
+        }
     }
 
     /// Whether somebody else has opened or shut what an action is about, if only its things are astray.

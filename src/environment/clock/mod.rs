@@ -56,7 +56,8 @@ pub(super) struct Clock {
     pub(super) unseen: bool,
     /// Things that are held still at poses once bodies have been stepped in this tick.
     held: Vec<(NodeId, Pose)>,
-    /// Things that were pushed, or came, and whose poses are not read since: no action answers for them.
+    /// Things that were pushed, or came, or were let go by a hand under control, and what these have set moving: no action answers
+    /// for them until they rest.
     adrift: BTreeSet<NodeId>,
     /// The scene as relations have read it, while the graph differs.
     read: Option<SceneGraph>,
@@ -86,11 +87,6 @@ impl Clock {
     /// The changes of the graph since the last action, which are told now.
     pub(super) fn take_journal(&mut self) -> ChangeSet {
         std::mem::take(&mut self.journal)
-    }
-
-    /// Something moves that no agent has moved.
-    pub(super) fn set_adrift(&mut self, things: &[NodeId]) {
-        self.adrift.extend(things);
     }
 
     /// Something has changed the scene, and relations have read it: other processes may go on.
@@ -317,6 +313,7 @@ impl Environment {
         self.heed_standers();
         self.step_bodies();
         self.follow_controls();
+        self.spread_adrift();
         self.end_what_rests();
         if self.clock.running.values().all(|schedule| schedule.until != schedule::NEVER) {
             // Nobody is about to read it.

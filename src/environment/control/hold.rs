@@ -34,7 +34,11 @@ impl Environment {
         let falls = |id: &NodeId| self.world.role(*id) == Some(BodyRole::Loose);
         if let Some(lost) = said.filter(falls) {
             self.bring_about(agent, &Action::one(Verb::Drop, lost), lost);
+            self.set_adrift(&self.graph.carried_with(lost));
         }
+        let loose = guided.touches.iter().copied().filter(|id| self.world.role(*id) == Some(BodyRole::Loose));
+        let loose: Vec<NodeId> = loose.collect();
+        self.set_adrift(&loose);
         self.excuse(&guided.touches);
         let Some(between) = guided.between else { return };
         if self.hold_refusals(agent, between).is_empty() {

@@ -273,3 +273,62 @@ fn what_is_thrown_off_a_balcony_lands_below() {
     }
     assert!(over > 2 && 2 * in_yard > over, "{in_yard} of {over}");
 }
+
+/// Whatever rolls or slides to the head of stairs is a thing of the gallery on whose floor it lies, or of the one from which the stairs
+/// lead up.
+#[test]
+fn what_comes_to_the_head_of_stairs_is_where_it_lies() {
+    let building = Arc::new(Building::from_seed(Seed(7)).unwrap());
+    let storey = |region: RegionId| building.storeys().iter().position(|storey| storey.gallery == region);
+    for (boxed, speed) in
+        [(false, 0.6), (false, 0.9), (false, 1.3), (false, 1.9), (true, 1.8), (true, 2.1), (true, 2.4)]
+    {
+        let gallery = building.storeys()[2].gallery;
+        let scenes = WithBall { building: building.clone(), region: gallery, at: Point3::new(-1.3, 2.3, 0.0), boxed };
+        let mut city = City::of(scenes).agents(0).make().unwrap();
+        let class = if boxed { "box" } else { "ball" };
+        let thing = city.peek(gallery).unwrap().graph().of_class(class)[0];
+        throw(&mut city, thing, [0.0, speed, 0.0]);
+        for tick in 0..400 {
+            city.step(Span(1));
+            let region = city.region_of(thing).unwrap();
+            let at = city.environment(region).map(|there| there.world().body(thing).unwrap().centre_of_mass());
+            // The floor of the next gallery is 3.2 m above, and a flight of stairs leads up to it.
+            let is_here = at.is_none_or(|at| at.z > -0.3 && at.z < 3.2 + 0.4);
+            assert!(storey(region).is_some() && is_here, "{class}, {speed}: in {region} at {at:?} after {tick} ticks");
+        }
+        let (region, on) = landed(&mut city, thing);
+        assert!(!on.is_empty(), "{class}, {speed}: in {region}, on nothing");
+        assert_eq!(city.validate().unwrap(), [], "{class}, {speed}");
+    }
+}
+
+/// What lies somewhere is read however somebody or something comes there meanwhile.
+#[test]
+fn what_lies_in_the_yard_is_read_when_somebody_comes() {
+    let building = Arc::new(Building::from_seed(Seed(7)).unwrap());
+    let (gallery, yard) = (building.storeys()[0].gallery, building.yard());
+    let boxed = WithBall { building: building.clone(), region: gallery, at: Point3::new(-2.2, 0.6, 0.0), boxed: true };
+    let mut made = City::of(boxed).agents(1).make().unwrap();
+    let me = made.agents().next().unwrap();
+    made.go(me, gallery).unwrap();
+    let things = ["box", "ball"].map(|class| made.peek(gallery).unwrap().graph().of_class(class)[0]);
+    for wait in [0, 40, 80, 120] {
+        let mut city = made.clone();
+        city.send(me, yard).unwrap();
+        city.step(Span(wait));
+        throw(&mut city, things[1], [-0.3, -1.9, 6.5]);
+        city.step(Span(20));
+        throw(&mut city, things[0], [0.2, -1.6, 6.0]);
+        city.step(Span::from_seconds(40.0));
+        for thing in things {
+            let region = city.region_of(thing).unwrap();
+            let there = city.peek(region).unwrap();
+            let around = |id: NodeId| there.world().aabb(id).unwrap();
+            let on: Vec<NodeId> = there.graph().places(thing).map(|place| place.at).collect();
+            let is_near = on.iter().all(|at| around(thing).gap(&around(*at)) < 0.05);
+            assert!(!on.is_empty() && is_near, "{wait}: {thing} of {region} is on {on:?}");
+        }
+        assert_eq!(city.validate().unwrap(), []);
+    }
+}

@@ -76,3 +76,44 @@ fn what_flies_while_somebody_acts_is_not_put_back() {
     }
     assert!(pushed >= 10, "{pushed}");
 }
+
+/// So does what is hit by that, or loses its support: it is not put back, nor held in the air.
+#[test]
+fn what_is_hit_while_somebody_acts_is_not_put_back() {
+    let mut hit = 0;
+    for seed in 0..vc_testkit::amount(3, 40) as u64 {
+        let home = home(40 + seed, 1);
+        let me = home.agents()[0];
+        let graspable = home.graph().nodes().filter(|node| node.affords(Property::Graspable)).map(|node| node.id());
+        let loose: Vec<NodeId> = graspable.filter(|id| home.world().role(*id) == Some(BodyRole::Loose)).collect();
+        let beside = |one: NodeId| {
+            let near = |other: &NodeId| *other != one && (middle(&home, one) - middle(&home, *other)).norm() < 0.15;
+            loose.iter().copied().filter(|_| middle(&home, one).z > 0.6).find(near)
+        };
+        let pairs = loose.iter().filter_map(|one| Some((*one, beside(*one)?))).step_by(4).take(16);
+        for (one, other) in pairs.collect::<Vec<_>>() {
+            let aim = 3.0 * (middle(&home, other) - middle(&home, one)).normalize() + Vector3::new(0.0, 0.0, 0.4);
+            let thrown = |acts: bool, wait: u64| {
+                let mut home = home.clone();
+                if acts {
+                    home.give(me, Action::zero(Verb::Wave));
+                }
+                home.step(Span(wait));
+                let body = home.world().body(one).unwrap();
+                home.push(one, aim * body.mass(), body.centre_of_mass()).unwrap();
+                let endings = home.step(Span(900));
+                assert!(endings.iter().all(|ending| ending.outcome.is_ok()), "{endings:?}");
+                home
+            };
+            for wait in [60, 95] {
+                let [still, acts] = [false, true].map(|acts| thrown(acts, wait));
+                let label = home.graph().label(other);
+                let apart = (middle(&still, other) - middle(&acts, other)).norm();
+                assert!(apart < 0.05, "{seed}: {label} is {apart} m from where it comes down while nobody acts");
+                assert_eq!(acts.world().role(other), Some(BodyRole::Loose), "{seed}: {label}");
+                hit += usize::from((middle(&home, other) - middle(&acts, other)).norm() > 0.3);
+            }
+        }
+    }
+    assert!(hit >= 4, "{hit}");
+}
