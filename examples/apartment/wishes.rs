@@ -74,6 +74,7 @@ impl Wishes {
             clutter: self.clutter,
             dressing: None,
             fitted_kitchens: false,
+            facade: None,
             plan: None,
         };
         specification.check().map_err(Complaint::new)?;

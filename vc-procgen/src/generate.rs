@@ -99,7 +99,7 @@ impl Apartment {
         let (Layout { plan, style, mut furniture }, drafts) =
             Layout::attempt(specification, generators, seed, attempt)?;
         furnish::make(&mut furniture, &drafts, &style);
-        let mut items = structure::build(&plan, &style, own.child("structure"));
+        let mut items = structure::build(&plan, &style, specification.facade, own.child("structure"));
         append(&mut items, furniture);
         let mut home = Self { seed, plan, style, items };
         let household = specification.household(&home.plan, &home.style, seed);

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use nalgebra::{Point3, UnitQuaternion, Vector3};
+use nalgebra::{Point3, Translation3, UnitQuaternion, Vector3};
 use vc_graph::{Pose, Seed, State};
 use vc_shapes::object::Object;
 
@@ -72,6 +72,11 @@ impl Item {
     pub(crate) fn seed(&self, of: Seed) -> Seed {
         let place = self.pose.translation.vector.map(|metres| u64::from(metres.to_bits()));
         place.iter().fold(of.child(self.object.class), |seed, number| seed.nth(*number))
+    }
+
+    /// The item moved.
+    pub(crate) fn moved(self, by: [f32; 3]) -> Self {
+        Self { pose: Translation3::from(by) * self.pose, ..self }
     }
 
     /// The direction of its front, if it is aligned with an axis.

@@ -2,6 +2,7 @@
 
 use vc_graph::Seed;
 use vc_shapes::Style;
+use vc_shapes::material::MaterialId;
 
 use crate::dressing::{Dressing, Household};
 use crate::error::SpecificationError;
@@ -36,6 +37,8 @@ pub struct Specification {
     pub area: Option<f32>,
     /// The style.
     pub style: Option<Style>,
+    /// The material of outer walls as seen from outside; drawn without one.
+    pub facade: Option<MaterialId>,
     /// The amount of clutter, 0 (tidy and bare) to 1; 0.6 by default.
     pub clutter: Option<f32>,
     /// The table by which rooms are dressed; without one, small things lie where the class table keeps them.

@@ -22,14 +22,25 @@ const SKIRTING: (f32, f32) = (0.07, 0.012);
 const CASING: f32 = 0.06;
 
 /// All items of the building, in the order walls, floors, ceilings, doors, windows.
-pub(crate) fn build(plan: &FloorPlan, style: &Style, seed: Seed) -> Vec<Item> {
-    let finishes = Finishes::new(plan, style, seed);
+pub(crate) fn build(plan: &FloorPlan, style: &Style, facade: Option<MaterialId>, seed: Seed) -> Vec<Item> {
+    let drawn = Finishes::new(plan, style, seed);
+    let finishes = Finishes { outside: facade.unwrap_or(drawn.outside), ..drawn };
     let mut items = walls(plan, &finishes);
     items.extend((0..plan.rooms.len()).map(|room| floor(plan, room, &finishes)));
     let roofed = (0..plan.rooms.len()).filter(|&r| plan.rooms[r].kind != RoomKind::Balcony);
     items.extend(roofed.map(|room| ceiling(plan, room, style)));
     items.extend(plan.openings.iter().enumerate().filter_map(|(i, o)| opening(plan, o, style, seed.nth(i as u64))));
     items
+}
+
+/// The number that the door or window of an opening has in the scene of a home; `None` for a passage.
+pub(crate) fn number_of(plan: &FloorPlan, opening: usize) -> Option<u32> {
+    let has_item = |opening: &&PlanOpening| opening.kind != OpeningKind::Passage;
+    plan.openings.get(opening).filter(has_item)?;
+    let before = plan.openings[..opening].iter().filter(has_item).count();
+    let walls = walls(plan, &Finishes::new(plan, &Style::from_seed(Seed(0)), Seed(0))).len();
+    let roofed = plan.rooms.iter().filter(|room| room.kind != RoomKind::Balcony).count();
+    Some((2 * plan.rooms.len() + walls + roofed + before) as u32)
 }
 
 /// The materials of walls and floors by room.

@@ -9,6 +9,7 @@ mod building;
 mod checker;
 mod city;
 mod dressing;
+mod house;
 
 use std::sync::LazyLock;
 use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
@@ -259,6 +260,7 @@ fn wishes() -> impl Strategy<Value = Specification> {
         style: None,
         dressing: None,
         fitted_kitchens: false,
+        facade: None,
         plan: None,
     })
 }

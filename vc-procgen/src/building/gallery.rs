@@ -1,14 +1,12 @@
 //! Galleries: a deck with railings, bridges to the front doors, stairs up, the shaft of the lift with its door.
 
-use std::f32::consts::FRAC_PI_2;
-
-use super::looks::Looks;
-use super::measures::{BACK, BANISTER, CLEAR, DECK, GATE, INSET, LIFT, LIFT_DOOR, SHAFT, SHAFT_WALL, SILL, SLAB, UP};
-use super::parts::{Block, Maker, P, block, floor, mounted, placed, solid};
-use super::rail::rail;
-use super::stairs::stairs;
+use super::measures::{CLEAR, DECK, GATE, INSET, LIFT, SLAB, STAIRS, STOREY};
 use crate::area::Area;
-use crate::item::{Item, Support};
+use crate::circulation::parts::{Block, Maker, P, block, floor, solid};
+use crate::circulation::rail::rail;
+use crate::circulation::stairs::BANISTER;
+use crate::circulation::{Looks, lift};
+use crate::item::Item;
 
 /// The places of some items among those of a gallery.
 pub(super) const FLOOR: usize = 0;
@@ -17,11 +15,6 @@ pub(super) const CALL: usize = 2;
 
 /// Half the side of a column.
 const COLUMN: f32 = 0.12;
-/// The call button: depth, width, height, the height of its lower edge, and its distance from the door.
-const CALL_BUTTON: [f32; 3] = [0.02, 0.08, 0.12];
-const CALL_HEIGHT: f32 = 0.98;
-const BESIDE: f32 = 0.22;
-
 /// A gallery as it is on one storey.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Gallery {
@@ -37,12 +30,12 @@ impl Gallery {
     /// All its items; those with a place come first.
     pub(super) fn items(&self, looks: &Looks, maker: Maker<'_>) -> Vec<Item> {
         let mut items = Vec::from_iter(floor(&self.floor(looks), &[DECK]));
-        items.extend(lift_door(maker));
-        items.extend(call_button(maker));
-        items.extend(self.shaft(looks));
+        let parts = lift::door(maker).into_iter().chain(lift::call_button(maker)).chain(self.shaft(looks));
+        items.extend(parts.map(|item| item.moved([LIFT, DECK.y1, 0.0])));
         items.extend(self.rails().iter().map(|line| rail("railing", line, looks.rail(), maker.style)));
         if !self.top {
-            items.extend(stairs(self.ground, looks, maker.style));
+            let posts = if self.ground { -SLAB } else { STOREY / 2.0 - STOREY };
+            items.extend(STAIRS.items(Some(posts), looks, maker.style));
             items.extend(columns(looks));
         }
         items
@@ -50,32 +43,14 @@ impl Gallery {
 
     /// The deck, its bridges, and the sill of the lift.
     fn floor(&self, looks: &Looks) -> Vec<Block> {
-        let half = LIFT_DOOR.0 / 2.0;
-        let sill = Area { x0: LIFT - half, x1: LIFT + half, y0: DECK.y1, y1: DECK.y1 + SILL.0 };
+        let sill = lift::sill().moved((LIFT, DECK.y1));
         let slab = |area: Area| block((area.x0, area.x1), (area.y0, area.y1), (-SLAB, 0.0), looks.floor);
         [DECK].into_iter().chain(self.bridges).chain([sill]).map(slab).collect()
     }
 
     /// The walls of the shaft as high as the storey and its slab, and a roof above the last.
     fn shaft(&self, looks: &Looks) -> Vec<Item> {
-        let (half, door, south) = (SHAFT.0, LIFT_DOOR.0 / 2.0, DECK.y1 + SHAFT_WALL);
-        let north = south + SHAFT.1;
-        let (outer, height) = (half + SHAFT_WALL, (-SLAB, CLEAR));
-        let part = |x: (f32, f32), y, z| block((LIFT + x.0, LIFT + x.1), y, z, looks.shaft);
-        let front = (DECK.y1, south);
-        let walls = [
-            vec![
-                part((-outer, -door), front, height),
-                part((door, outer), front, height),
-                part((-door, door), front, (LIFT_DOOR.1, CLEAR)),
-            ],
-            vec![part((-outer, -half), (south, north), height)],
-            vec![part((half, outer), (south, north), height)],
-            vec![part((-outer, outer), (north, north + SHAFT_WALL), height)],
-        ];
-        let roof = part((-outer, outer), (DECK.y1, north + SHAFT_WALL), (CLEAR, CLEAR + SLAB));
-        let roof = if self.top { solid("ceiling", &[roof]) } else { None };
-        walls.iter().filter_map(|blocks| solid("wall", blocks)).chain(roof).collect()
+        lift::shaft((-SLAB, CLEAR), self.top.then_some(SLAB), looks)
     }
 
     /// The lines of the railings: around the deck and along the bridges, open to the yard, the stairs, the lift.
@@ -102,9 +77,9 @@ impl Gallery {
 
     /// The northern edge, with gaps for stairs and shaft: no stairs go up from the last gallery, none come up to the ground.
     fn north(&self) -> [[P; 2]; 3] {
-        let (deck, shaft) = (DECK.grown(-INSET), SHAFT.0 + SHAFT_WALL);
-        let west = if self.top { BACK.0 - BANISTER } else { UP.0 + BANISTER };
-        let east = if self.ground { UP.1 + BANISTER } else { BACK.1 - BANISTER };
+        let (deck, shaft) = (DECK.grown(-INSET), lift::around().x1);
+        let west = if self.top { STAIRS.back.0 - BANISTER } else { STAIRS.up.0 + BANISTER };
+        let east = if self.ground { STAIRS.up.1 + BANISTER } else { STAIRS.back.1 - BANISTER };
         let along = |from: f32, to: f32| line((from, deck.y1), (to, deck.y1));
         [along(deck.x0, west), along(east, LIFT - shaft), along(LIFT + shaft, deck.x1)]
     }
@@ -122,20 +97,6 @@ impl Gallery {
             line((near, high), (far, high)),
         ]
     }
-}
-
-/// The door of the lift: its leaves slide in the shaft.
-fn lift_door(maker: Maker<'_>) -> Option<Item> {
-    let door = maker.sized("lift_door", [SHAFT_WALL, LIFT_DOOR.0, LIFT_DOOR.1])?;
-    Some(mounted(door, [LIFT, DECK.y1 + SHAFT_WALL / 2.0, 0.0], -FRAC_PI_2))
-}
-
-/// The button beside it that calls the lift.
-fn call_button(maker: Maker<'_>) -> Option<Item> {
-    let [depth, width, height] = CALL_BUTTON;
-    let button = maker.sized("call_button", [depth, width, height])?;
-    let at = [LIFT - LIFT_DOOR.0 / 2.0 - BESIDE, DECK.y1 - depth / 2.0, CALL_HEIGHT];
-    Some(placed(button, at, -FRAC_PI_2, Support::Wall))
 }
 
 /// A line on the floor.

@@ -2,19 +2,14 @@
 //!
 //! A building is a plan of regions, [`Building::space`], and makes the scene of each when it is asked for.
 
-mod cabin;
 mod check;
 mod error;
 mod gallery;
-mod looks;
 mod measures;
-mod parts;
 mod place;
 mod plan;
-mod rail;
 mod scene;
 mod specification;
-mod stairs;
 mod view;
 mod violation;
 mod yard;
@@ -24,10 +19,12 @@ use std::sync::Arc;
 use vc_graph::space::{PortalId, RegionId, Space};
 use vc_graph::{NodeId, Seed};
 
-use looks::Looks;
 use place::Place;
 use plan::Plan;
 
+use crate::circulation::Looks;
+
+pub(crate) use check::{overlaps, sound};
 pub use error::BuildingError;
 pub use plan::BuildingStorey;
 pub use specification::BuildingSpecification;

@@ -10,9 +10,10 @@ use vc_graph::space::{
 use vc_graph::{NodeId, Pose};
 
 use super::error::BuildingError;
-use super::measures::{BACK, CABIN_FRONT, CABIN_WALL, CLEAR, DECK, GATE, GOING, LIFT, LIFT_DOOR, SHAFT_WALL, STOREY};
+use super::measures::{CLEAR, DECK, GATE, LIFT, STAIRS, STOREY};
 use super::place::Place;
-use super::{BuildingSpecification, cabin, gallery, stairs};
+use super::{BuildingSpecification, gallery};
+use crate::circulation::{cabin, lift};
 
 /// The node numbers of a home, and of any other region of a building.
 pub(super) const HOME: u32 = 4096;
@@ -159,19 +160,20 @@ impl Planner {
         (leaf, buttons): (NodeId, [NodeId; 2]),
         storey: usize,
     ) -> Result<PortalId, BuildingError> {
-        let here = self.side(gallery, (LIFT, DECK.y1 + SHAFT_WALL / 2.0, 0.0), FRAC_PI_2);
-        let there = self.side(cabin, (0.0, CABIN_FRONT + CABIN_WALL / 2.0, 0.0), -FRAC_PI_2);
-        let portal = Portal::new(PortalKind::Landing, [here, there], LIFT_DOOR.0, LIFT_DOOR.1);
+        let [landing, inside] = lift::THRESHOLDS;
+        let here = self.side(gallery, (LIFT, DECK.y1 + landing, 0.0), FRAC_PI_2);
+        let there = self.side(cabin, (0.0, inside, 0.0), -FRAC_PI_2);
+        let portal = Portal::new(PortalKind::Landing, [here, there], lift::DOOR.0, lift::DOOR.1);
         Ok(self.builder.join(portal.with_leaf(leaf).at_stop(storey as u32).called_by(buttons))?)
     }
 
     /// The landing at the upper end of the stairs from one gallery to the next.
     fn stairs(&mut self, gallery: RegionId, above: RegionId) -> Result<PortalId, BuildingError> {
-        let (x, y) = (f32::midpoint(BACK.0, BACK.1), DECK.y1 - GOING / 2.0);
+        let (x, y) = STAIRS.head();
         let here = self.side(gallery, (x, y, STOREY), -FRAC_PI_2);
         let there = self.side(above, (x, y, 0.0), FRAC_PI_2);
-        let portal = Portal::new(PortalKind::Landing, [here, there], BACK.1 - BACK.0, CLEAR);
-        Ok(self.builder.join(portal.over_stairs(stairs::way()))?)
+        let portal = Portal::new(PortalKind::Landing, [here, there], STAIRS.back.1 - STAIRS.back.0, CLEAR);
+        Ok(self.builder.join(portal.over_stairs(STAIRS.way()))?)
     }
 
     /// The passage from the gallery on the ground to the yard.

@@ -8,11 +8,12 @@ use vc_graph::{Draft, SceneBuilder, SceneGraph};
 
 use super::error::BuildingError;
 use super::gallery::{self, Gallery};
-use super::measures::{CABIN, CLEAR, DECK, FLIGHT, LANDING, PLOT, YARD};
-use super::parts::Maker;
-use super::{Building, cabin, yard};
+use super::measures::{CLEAR, DECK, PLOT, STAIRS, YARD};
+use super::{Building, yard};
 use crate::apartment::Apartment;
 use crate::area::Area;
+use crate::circulation::cabin::{self, CABIN};
+use crate::circulation::parts::Maker;
 use crate::item::Item;
 use crate::scene::{Contents, room_draft};
 
@@ -87,7 +88,7 @@ impl Building {
     /// The ground on which the building stands, with the yard.
     pub(super) fn plot(&self) -> Area {
         let homes = self.places.iter().flatten().flat_map(|place| place.outline.iter().copied());
-        let tower = Area { y1: DECK.y1 + FLIGHT + LANDING, ..DECK };
+        let tower = Area { y1: STAIRS.area().y1, ..DECK };
         homes.chain([tower, YARD]).reduce(Area::around_both).unwrap_or(YARD).grown(PLOT)
     }
 

@@ -1,8 +1,6 @@
 //! A storey as a whole, for drawings.
 
-use nalgebra::Translation3;
-
-use super::measures::{DECK, FLIGHT, LANDING, LIFT, YARD};
+use super::measures::{DECK, LIFT, STAIRS, YARD};
 use super::scene::Part;
 use super::{Building, BuildingError};
 use crate::apartment::Apartment;
@@ -29,14 +27,13 @@ impl Building {
         for (side, place) in places.iter().enumerate() {
             homes.push((self.home(storey, side)?, place.turn, place.origin));
         }
-        let tower = Area { y1: DECK.y1 + FLIGHT + LANDING, ..DECK };
+        let tower = Area { y1: STAIRS.area().y1, ..DECK };
         let mut items = self.items(Part::Gallery(storey));
         let mut names = vec![("Gallery", [0.0, DECK.centre().1])];
         let mut ground = places.iter().flat_map(|place| place.outline.iter().copied()).fold(tower, Area::around_both);
         if storey == 0 {
-            let to_shaft = Translation3::new(LIFT, DECK.y1, 0.0);
             let cabin = self.items(Part::Cabin).into_iter();
-            items.extend(cabin.map(|item| Item { pose: to_shaft * item.pose, ..item }));
+            items.extend(cabin.map(|item| item.moved([LIFT, DECK.y1, 0.0])));
             items.extend(self.items(Part::Yard));
             names.extend([("Lift", [LIFT, DECK.y1 + 1.0]), ("Yard", [YARD.centre().0, YARD.centre().1])]);
             ground = ground.around_both(YARD);

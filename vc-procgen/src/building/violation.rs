@@ -3,9 +3,7 @@
 use vc_graph::space::{PortalId, RegionId};
 use vc_graph::{Label, Violation};
 
-use super::error::BuildingError;
-
-/// A violation in a building; one that was generated has none.
+/// A violation in a building or house; one that was generated has none.
 ///
 /// ```
 /// use vc_graph::space::RegionId;
@@ -56,6 +54,6 @@ pub enum BuildingViolation {
     #[error("{0}: {1}")]
     Scene(RegionId, Violation),
     /// A scene cannot be made.
-    #[error(transparent)]
-    Broken(#[from] BuildingError),
+    #[error("{0} cannot be made: {1}")]
+    Broken(RegionId, String),
 }

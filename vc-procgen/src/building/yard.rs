@@ -5,8 +5,8 @@ use std::f32::consts::{FRAC_PI_2, PI};
 use vc_shapes::material::{GRASS, GRAVEL};
 
 use super::measures::{BEYOND, PATH, SLAB, YARD};
-use super::parts::{Maker, block, built, floor, placed};
 use crate::area::Area;
+use crate::circulation::parts::{Maker, block, built, floor, placed};
 use crate::item::{Item, Support};
 
 /// The depth and height of hedges.

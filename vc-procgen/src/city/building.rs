@@ -12,7 +12,7 @@ use super::window::{WindowSlot, windows};
 use super::wing::{Wing, wings};
 
 /// The widths of a flat, an office and a shop along the street, metres.
-const FLAT: f64 = 7.2;
+const FLAT: f64 = 6.7;
 const OFFICE: f64 = 12.0;
 const SHOP: f64 = 7.0;
 /// Residents of a house and of a flat, on average.

@@ -6,7 +6,7 @@ use vc_map::Point;
 
 use super::building::{CityBuilding, Unit};
 use super::convex::{Beyond, left};
-use super::floor::main_side;
+use super::floor::Core;
 use super::unit_kind::UnitPlace;
 use super::window::WindowSlot;
 use super::wing::Wing;
@@ -16,15 +16,15 @@ use crate::plan::{CELLS, FloorPlan, Side, Site, WindowPlace};
 /// The thickness of outer walls outside the border of a plan, cells and metres.
 const SHELL: i32 = 4;
 const WALL: f64 = 0.2;
-/// The thickness of a storey's slab, and the greatest height of a flat's rooms, metres.
-const SLAB: f64 = 0.3;
+/// The thickness of floor and ceiling between storeys, and the greatest height of rooms, metres.
+const SLABS: f64 = 0.4;
 const HIGH: f64 = 3.2;
 /// The greatest sine of the angle between walls that count as parallel.
 const STRAIGHT: f64 = 0.01;
 /// How far a window's middle may be from the facade of a site, metres.
 const NEAR: f64 = 0.1;
-/// The least width of the corridor before a front door, metres.
-const PASSAGE: f64 = 1.2;
+/// A front door keeps this far from the ends of the corridor, metres.
+const END: f64 = 0.35;
 /// The least part of a flat's side at the corridor along which that is so wide.
 const REACHED: f64 = 0.6;
 /// Windows keep this far from the corners of a site, cells.
@@ -89,6 +89,11 @@ impl CityPlan {
 }
 
 impl CityBuilding {
+    /// The height of the rooms of a storey, metres.
+    pub(crate) fn clear(&self, storey: usize) -> f64 {
+        (self.storey_height(storey) - SLABS).min(HIGH)
+    }
+
     /// The site of a unit that is a flat: the rectangle between its facade and the corridor. `None` where no flat fits.
     pub(super) fn flat_site(&self, unit: &Unit) -> Option<FlatSite> {
         if unit.kind.place() != UnitPlace::Home || unit.storeys != 1 || self.kind.is_whole() {
@@ -96,13 +101,16 @@ impl CityBuilding {
         }
         let here = |wing: &&Wing| wing.from <= unit.storey && unit.storey < wing.to;
         let wing = self.wings.iter().filter(here).find(|wing| wing.plan.contains(&unit.outline.middle(), 0.0))?;
-        let (start, end, _) = main_side(&wing.plan)?;
-        let (a, along, [from, to], depth) = to_corridor(&unit.outline, &(end - start).normalize())?;
+        let core = Core::of(&wing.plan)?;
+        let (a, along, [from, to], depth) = to_corridor(&unit.outline, &core.along)?;
         let across = left(along);
         let inside = |length: f64| ((length - 2.0 * WALL) * f64::from(CELLS) + 1e-6).floor() as i32;
         let (width, deep) = (inside(to - from), inside(depth));
+        if width.min(deep) < 1 {
+            return None;
+        }
         let at = a + along * (from + WALL) + across * WALL;
-        let ceiling = (self.storey_height(unit.storey) - SLAB).min(HIGH) as f32;
+        let ceiling = self.clear(unit.storey) as f32;
         let place = |window: &WindowSlot| {
             let own = window.at - at;
             let (x, y) = (own.dot(&along), own.dot(&across));
@@ -120,14 +128,10 @@ impl CityBuilding {
             fits.then_some(WindowPlace { side, from, to, sill, head })
         };
         let windows = unit.windows.iter().filter(|window| window.storey == unit.storey).filter_map(place).collect();
-        // The corridor is narrower where the wing ends askew.
-        let behind = |cell: &i32| {
-            let x = f64::from(*cell) / f64::from(CELLS);
-            wing.plan.contains(&(at + along * x + across * (depth - WALL + PASSAGE)), 0.0)
-        };
-        let mut free = (0..=width).filter(behind);
-        let first = free.next()?;
-        let door = (first, free.next_back()?);
+        // The part of the corridor before it, as its own facade goes.
+        let ends = core.corridor.map(|end| along.dot(&(core.at + core.along * end - at)));
+        let cell = |metres: f64| ((metres * f64::from(CELLS)).round() as i32).clamp(0, width);
+        let door = (cell(ends[0].min(ends[1]) + END), cell(ends[0].max(ends[1]) - END));
         if f64::from(door.1 - door.0) < f64::from(width) * REACHED {
             return None;
         }

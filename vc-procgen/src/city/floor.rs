@@ -1,12 +1,12 @@
 //! Floors of wings: a stair in the middle, a corridor behind the units or between them, and units side by side.
 
-use nalgebra::Vector2;
+use nalgebra::{Point2, Vector2};
 
 use super::convex::{Beyond, Convex, left};
 
 /// The width of a core with stair and lift, and of a corridor, metres.
-const CORE: f64 = 3.2;
-const CORRIDOR: f64 = 1.6;
+pub(crate) const CORE: f64 = 4.0;
+pub(crate) const CORRIDOR: f64 = 1.6;
 /// A wing that is deeper has units on both sides of its corridor, metres.
 const DEEP: f64 = 14.5;
 /// A unit is at least this wide, metres.
@@ -24,6 +24,51 @@ pub(super) struct Floor {
     pub(super) units: Vec<Convex>,
 }
 
+/// Where stair, lift and corridor of a wing are.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Core {
+    /// The middle of the core at the main side.
+    pub(crate) at: Point2<f64>,
+    /// The direction of the main side, the wing on its left.
+    pub(crate) along: Vector2<f64>,
+    /// The distance from the main side to the corridor, metres.
+    pub(crate) depth: f64,
+    /// Where the corridor begins and ends along the main side, metres from the middle of the core.
+    pub(crate) corridor: [f64; 2],
+    /// Whether there are units on both sides of it.
+    pub(crate) is_between: bool,
+}
+
+impl Core {
+    /// That of a wing with a main side.
+    pub(crate) fn of(plan: &Convex) -> Option<Self> {
+        let main = main_side(plan)?;
+        let along = (main.1 - main.0).normalize();
+        let (across, middle) = (left(along), plan.extent(&along).iter().sum::<f64>() / 2.0);
+        let whole = plan.length(&across);
+        let is_between = whole > DEEP;
+        let depth = if is_between { (whole - CORRIDOR) / 2.0 } else { whole - CORRIDOR };
+        // As wide as it is at both of its sides.
+        let [[low, high], [from, to]] =
+            [depth, depth + CORRIDOR - SAME].map(|deep| chord(plan, &along, main.0.coords.dot(&across) + deep));
+        let corridor = [low.max(from) - middle, high.min(to) - middle];
+        let at = main.0 + along * (middle - main.0.coords.dot(&along));
+        Some(Self { at, along, depth, corridor, is_between })
+    }
+}
+
+/// The stations between which a line across a plan is in it; the first is greater if it is nowhere.
+fn chord(plan: &Convex, along: &Vector2<f64>, at: f64) -> [f64; 2] {
+    let across = left(*along);
+    let crossing = |(a, b, _): (Point2<f64>, Point2<f64>, Beyond)| {
+        let [from, to] = [a, b].map(|corner| corner.coords.dot(&across) - at);
+        let share = (from * to <= 0.0 && from != to).then(|| from / (from - to))?;
+        Some((a + (b - a) * share).coords.dot(along))
+    };
+    let ends = plan.sides().filter_map(crossing);
+    ends.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], station| [low.min(station), high.max(station)])
+}
+
 /// The main side of a wing: its longest to a street, else to a court.
 pub(super) fn main_side(plan: &Convex) -> Option<(nalgebra::Point2<f64>, nalgebra::Point2<f64>, Beyond)> {
     plan.longest(|beyond| matches!(beyond, Beyond::Street(_))).or_else(|| plan.longest(Beyond::is_open))
@@ -34,15 +79,15 @@ pub(super) fn floor(plan: &Convex, width: f64) -> Floor {
     let Some(main) = main_side(plan) else { return Floor { core: None, units: vec![plan.clone()] } };
     let along = (main.1 - main.0).normalize();
     let [low, high] = plan.extent(&along);
-    let depth = plan.length(&left(along));
+    let whole = plan.length(&left(along));
     let between = |from: f64, to: f64, part: &Convex| slice(part, &along, from, to);
     let middle = (low + high) / 2.0;
     let core = [middle - CORE / 2.0, middle + CORE / 2.0];
-    let bands = if depth > DEEP {
-        let [near, far] = [(depth - CORRIDOR) / 2.0, (depth + CORRIDOR) / 2.0];
-        [band(plan, main, 0.0, near), band(plan, main, far, depth)]
+    let bands = if whole > DEEP {
+        let [near, far] = [(whole - CORRIDOR) / 2.0, (whole + CORRIDOR) / 2.0];
+        [band(plan, main, 0.0, near), band(plan, main, far, whole)]
     } else {
-        [band(plan, main, 0.0, depth - CORRIDOR), None]
+        [band(plan, main, 0.0, whole - CORRIDOR), None]
     };
     let mut units = Vec::new();
     for part in bands.iter().flatten() {

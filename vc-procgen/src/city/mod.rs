@@ -61,12 +61,14 @@ pub use block::CityBlock;
 pub use building::{CityBuilding, StreetDoor, Unit};
 pub use building_type::BuildingType;
 pub use check::{CityPart, CityRule, CityViolation};
+pub(crate) use convex::left;
 pub use convex::{Beyond, Convex};
 pub use edge::{Railway, Shore};
 pub use error::CityPlanError;
 pub use field::StreetPattern;
 pub use figures::CityFigure;
 pub use flat::FlatPlan;
+pub(crate) use floor::{CORE, CORRIDOR, Core};
 pub use item::{StreetItem, TrafficSign};
 pub use park::{Park, ParkFeature};
 pub use parked::ParkedCar;
@@ -111,6 +113,11 @@ pub struct CityPlan {
 }
 
 impl CityPlan {
+    /// The seed that it was generated from.
+    pub fn seed(&self) -> Seed {
+        self.seed
+    }
+
     /// The pattern of its streets.
     pub fn pattern(&self) -> StreetPattern {
         self.pattern

@@ -12,11 +12,12 @@ use super::site::{Side, Site};
 use super::{FloorPlan, Rect, Room, RoomKind, Scheme, openings};
 use crate::error::SpecificationError;
 
-/// Candidates that are drawn for a site, and sound ones among which the best is taken.
-const CANDIDATES: u64 = 800;
+/// Candidates that are drawn for a site, and sound ones among which the best is taken. Few sites need more than some hundred.
+const CANDIDATES: u64 = 8000;
 const ENOUGH: usize = 8;
-/// Candidates after which a flat has a bedroom fewer.
+/// Candidates after which a flat has a bedroom fewer, and how many fewer at most.
 const PATIENCE: u64 = 200;
+const FEWER: u64 = 4;
 /// The least length of wall for a door with its frame, cells.
 const DOOR: i32 = 24;
 /// A wall keeps so far from a place of a window, cells.
@@ -66,7 +67,7 @@ impl FloorPlan {
         let attempt = |candidate| {
             let mut rng = seed.nth(candidate).stream();
             // Where no flat of the usual number of bedrooms is found, one of fewer is.
-            let fewer = (candidate / PATIENCE) as usize;
+            let fewer = (candidate / PATIENCE % FEWER) as usize;
             if rng.chance(0.5) {
                 return Draft::attempt(site, fewer, &mut rng);
             }

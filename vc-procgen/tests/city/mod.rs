@@ -13,7 +13,7 @@ use vc_procgen::city::{
 };
 
 /// The digests of the texts of plans of seeds 0, 1 and 2: the same on every machine.
-const DIGESTS: [&str; 3] = ["19ca7c67f9165844", "3caa84b00eb531c2", "9e4b1631d0483940"];
+const DIGESTS: [&str; 3] = ["f5ee614988e24833", "96f208606ec39ce8", "1a48083cdeb42fc6"];
 
 fn plan(seed: u64) -> CityPlan {
     CityPlan::from_seed(Seed(seed)).unwrap()

@@ -2,15 +2,17 @@
 
 mod overlap;
 
-use vc_graph::space::{PortalKind, RegionId};
+use vc_graph::space::{PortalKind, RegionFrame, RegionId, Space};
 use vc_graph::{Label, NodeId, ObjectRole, SceneGraph};
 
-use super::measures::{BACK, BEYOND, CABIN_WALL, DECK, FLIGHT, LANDING, LIFT, SHAFT, SHAFT_WALL, STOREY, UP};
+use super::measures::{BEYOND, DECK, LIFT, STAIRS, STOREY};
 use super::scene::Part;
-use super::stairs::POST;
-use super::{Building, BuildingError, BuildingStorey, BuildingViolation};
+use super::{Building, BuildingStorey, BuildingViolation};
 use crate::area::Area;
-use overlap::{Made, overlaps};
+use crate::circulation::cabin::CABIN_WALL;
+use crate::circulation::lift;
+use crate::circulation::stairs::POST;
+pub(crate) use overlap::{Made, overlaps};
 
 /// The greatest difference between two rises, and the greatest distance of what is to be in line, metres.
 const EVEN: f32 = 0.005;
@@ -27,17 +29,9 @@ impl Building {
     /// # Ok::<(), vc_procgen::BuildingError>(())
     /// ```
     pub fn violations(&self) -> Vec<BuildingViolation> {
-        let regions = self.space().regions().filter(|(_, region)| region.has_scene());
-        let (mut made, mut found) = (Vec::new(), Vec::new());
-        for (region, _) in regions {
-            match self.made(region) {
-                Ok(this) => made.push(this),
-                Err(error) => found.push(BuildingViolation::Broken(error)),
-            }
-        }
-        found.extend(made.iter().flat_map(|this| self.faults(this)));
+        let (made, mut found) = sound(self.space(), &self.wishes.frame, |region| self.scene(region));
+        found.extend(made.iter().flat_map(|this| self.outside(this)));
         found.extend(overlaps(&made));
-        found.extend(self.leaves(&made));
         found.extend(self.storeys().iter().flat_map(|storey| self.front_doors(storey)));
         let scene = |region| made.iter().find(|this| this.region == region).map(|this| &this.scene);
         let galleries = self.storeys().iter().filter_map(|storey| Some((storey, scene(storey.gallery)?)));
@@ -45,26 +39,6 @@ impl Building {
         found.extend(lift_doors(&galleries));
         found.extend(galleries.iter().flat_map(|(_, scene)| stairs(scene, galleries[0].1)));
         found
-    }
-
-    /// Violations within a region.
-    fn faults(&self, this: &Made) -> Vec<BuildingViolation> {
-        let broken = this.scene.validate().into_iter().map(|fault| BuildingViolation::Scene(this.region, fault));
-        broken.chain(self.misnumbered(this)).chain(self.outside(this)).collect()
-    }
-
-    fn made(&self, region: RegionId) -> Result<Made, BuildingError> {
-        let scene = self.scene(region)?;
-        let plan = self.space().region(region).ok_or(BuildingError::NoScene(region))?;
-        let stops = if plan.stops.is_empty() { vec![plan.frame] } else { plan.stops.to_vec() };
-        let frames = stops.iter().map(|stop| stop.to(&self.wishes.frame)).collect();
-        Ok(Made::new(region, scene, frames))
-    }
-
-    fn misnumbered(&self, this: &Made) -> Vec<BuildingViolation> {
-        let numbers = self.space().region(this.region).map(|region| region.numbers);
-        let wrong = this.scene.nodes().filter(|node| !numbers.is_some_and(|block| block.has(node.id())));
-        wrong.map(|node| BuildingViolation::Number(node.label(), this.region)).collect()
     }
 
     /// Things outside the space that the plan has for a region, seen from above.
@@ -79,32 +53,18 @@ impl Building {
     /// The space of a part, seen from above, in the frame of the building.
     fn ground(&self, part: Part) -> Area {
         let around = |areas: &[Area]| areas.iter().copied().reduce(Area::around_both).unwrap_or_default();
-        let tower = Area { x0: UP.0, x1: BACK.1, y0: DECK.y1, y1: DECK.y1 + FLIGHT + LANDING + POST };
-        let south = DECK.y1 + SHAFT_WALL;
-        let shaft = Area { x0: LIFT - SHAFT.0, x1: LIFT + SHAFT.0, y0: south, y1: south + SHAFT.1 };
+        let stairs = STAIRS.area();
+        let tower = Area { y1: stairs.y1 + POST, ..stairs };
+        let shaft = lift::within().moved((LIFT, DECK.y1));
         match part {
             Part::Home(storey, side) => around(&self.places[storey][side].outline).grown(TRIM),
             Part::Gallery(storey) => {
                 let [west, east] = self.places[storey].each_ref().map(|place| place.bridge);
-                around(&[DECK, west, east, tower, shaft.grown(SHAFT_WALL)])
+                around(&[DECK, west, east, tower, shaft.grown(lift::WALL)])
             }
             Part::Cabin => shaft.grown(CABIN_WALL),
             Part::Yard => self.plot().grown(BEYOND),
         }
-    }
-
-    /// Portals whose leaf is no door of the scene that it should be in.
-    fn leaves(&self, made: &[Made]) -> Vec<BuildingViolation> {
-        let leaves = self.space().portals().filter_map(|(portal, plan)| Some((portal, plan.leaf?)));
-        let wrong = leaves.filter_map(|(portal, leaf)| {
-            let of = |scene: &SceneGraph| scene.node(leaf).map(|node| (node.label(), node.role() == ObjectRole::Door));
-            match made.iter().find_map(|this| of(&this.scene)) {
-                Some((_, true)) => None,
-                Some((label, false)) => Some(BuildingViolation::NoLeaf(portal, label)),
-                None => Some(BuildingViolation::NoLeaf(portal, Label { class: "?".into(), id: leaf })),
-            }
-        });
-        wrong.collect()
     }
 
     fn front_doors(&self, storey: &BuildingStorey) -> Vec<BuildingViolation> {
@@ -117,6 +77,45 @@ impl Building {
         let wrong = all.into_iter().filter(|(_, doors)| *doors != 1);
         wrong.map(|(home, doors)| BuildingViolation::FrontDoors { home, gallery, doors }).collect()
     }
+}
+
+/// All scenes of a plan whose frame is given, and the violations in each alone and at its portals.
+pub(crate) fn sound<E: std::error::Error>(
+    space: &Space,
+    frame: &RegionFrame,
+    scene: impl Fn(RegionId) -> Result<SceneGraph, E>,
+) -> (Vec<Made>, Vec<BuildingViolation>) {
+    let (mut made, mut found) = (Vec::new(), Vec::new());
+    for (region, plan) in space.regions().filter(|(_, region)| region.has_scene()) {
+        let stops = if plan.stops.is_empty() { vec![plan.frame] } else { plan.stops.to_vec() };
+        let frames = stops.iter().map(|stop| stop.to(frame)).collect();
+        match scene(region) {
+            Ok(scene) => made.push(Made::new(region, scene, frames)),
+            Err(why) => found.push(BuildingViolation::Broken(region, why.to_string())),
+        }
+    }
+    for this in &made {
+        found.extend(this.scene.validate().into_iter().map(|fault| BuildingViolation::Scene(this.region, fault)));
+        let numbers = space.region(this.region).map(|region| region.numbers);
+        let wrong = this.scene.nodes().filter(|node| !numbers.is_some_and(|block| block.has(node.id())));
+        found.extend(wrong.map(|node| BuildingViolation::Number(node.label(), this.region)));
+    }
+    found.extend(leaves(space, &made));
+    (made, found)
+}
+
+/// Portals whose leaf is no door of the scene that it should be in.
+fn leaves(space: &Space, made: &[Made]) -> Vec<BuildingViolation> {
+    let leaves = space.portals().filter_map(|(portal, plan)| Some((portal, plan.leaf?)));
+    let wrong = leaves.filter_map(|(portal, leaf)| {
+        let of = |scene: &SceneGraph| scene.node(leaf).map(|node| (node.label(), node.role() == ObjectRole::Door));
+        match made.iter().find_map(|this| of(&this.scene)) {
+            Some((_, true)) => None,
+            Some((label, false)) => Some(BuildingViolation::NoLeaf(portal, label)),
+            None => Some(BuildingViolation::NoLeaf(portal, Label { class: "?".into(), id: leaf })),
+        }
+    });
+    wrong.collect()
 }
 
 /// Doors of the lift that are not above that on the ground.

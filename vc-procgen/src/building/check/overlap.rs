@@ -11,20 +11,20 @@ use crate::area::Area;
 const TOUCH: f32 = 0.002;
 
 /// A region with its scene and the boxes of all parts of its things, in the frame of the building.
-pub(super) struct Made {
-    pub(super) region: RegionId,
-    pub(super) scene: SceneGraph,
-    pub(super) boxes: Vec<Piece>,
+pub(crate) struct Made {
+    pub(crate) region: RegionId,
+    pub(crate) scene: SceneGraph,
+    pub(crate) boxes: Vec<Piece>,
 }
 
 /// The box around a part of a thing.
-pub(super) struct Piece {
-    pub(super) node: NodeId,
+pub(crate) struct Piece {
+    pub(crate) node: NodeId,
     around: Aabb,
 }
 
 impl Piece {
-    pub(super) fn area(&self) -> Area {
+    pub(crate) fn area(&self) -> Area {
         let Aabb { min, max } = self.around;
         Area { x0: min.x, y0: min.y, x1: max.x, y1: max.y }
     }
@@ -32,7 +32,7 @@ impl Piece {
 
 impl Made {
     /// A scene that is in some frames, one after the other.
-    pub(super) fn new(region: RegionId, scene: SceneGraph, frames: Vec<Pose>) -> Self {
+    pub(crate) fn new(region: RegionId, scene: SceneGraph, frames: Vec<Pose>) -> Self {
         let boxes = frames.iter().flat_map(|frame| pieces(&scene, frame)).collect();
         Self { region, scene, boxes }
     }
@@ -64,7 +64,7 @@ fn turned(around: &Aabb, pose: &Pose) -> Aabb {
 }
 
 /// Pairs of regions with things that share space.
-pub(super) fn overlaps(made: &[Made]) -> Vec<BuildingViolation> {
+pub(crate) fn overlaps(made: &[Made]) -> Vec<BuildingViolation> {
     let hulls: Vec<Option<Aabb>> = made.iter().map(Made::hull).collect();
     let near = |a: usize, b: usize| hulls[a].zip(hulls[b]).is_some_and(|(a, b)| shares(&a, &b));
     let pairs = (0..made.len()).flat_map(|a| (a + 1..made.len()).map(move |b| (a, b)));

@@ -8,22 +8,22 @@ use super::rail;
 
 /// The materials of a building, and the style of what is generated for it.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Looks {
-    pub(super) style: Style,
+pub(crate) struct Looks {
+    pub(crate) style: Style,
     /// Slabs and stairs.
-    pub(super) slab: MaterialId,
+    pub(crate) slab: MaterialId,
     /// The floor of galleries.
-    pub(super) floor: MaterialId,
+    pub(crate) floor: MaterialId,
     /// The shaft.
-    pub(super) shaft: MaterialId,
+    pub(crate) shaft: MaterialId,
     /// The cabin: walls and floor.
-    pub(super) cabin: (MaterialId, MaterialId),
+    pub(crate) cabin: (MaterialId, MaterialId),
     /// Handrails, and the bars of railings.
-    pub(super) rails: (MaterialId, MaterialId),
+    pub(crate) rails: (MaterialId, MaterialId),
 }
 
 impl Looks {
-    pub(super) fn new(seed: Seed) -> Self {
+    pub(crate) fn new(seed: Seed) -> Self {
         let (style, mut rng) = (Style::from_seed(seed), seed.child("looks").stream());
         let mut one_of = |all: &[MaterialId]| rng.pick(all).copied().unwrap_or(CONCRETE);
         Self {
@@ -36,7 +36,7 @@ impl Looks {
         }
     }
 
-    pub(super) fn rail(&self) -> rail::Looks {
+    pub(crate) fn rail(&self) -> rail::Looks {
         rail::Looks { hand: self.rails.0, bars: self.rails.1 }
     }
 }

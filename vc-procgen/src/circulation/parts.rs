@@ -12,23 +12,23 @@ use crate::item::{Item, Support, standing};
 use crate::solids::Solids;
 
 /// A point, metres.
-pub(super) type P = [f32; 3];
+pub(crate) type P = [f32; 3];
 
 /// A box: two corners and the material.
-pub(super) type Block = (P, P, MaterialId);
+pub(crate) type Block = (P, P, MaterialId);
 
 /// A box between the intervals along the three axes.
-pub(super) fn block((x0, x1): (f32, f32), (y0, y1): (f32, f32), (z0, z1): (f32, f32), material: MaterialId) -> Block {
+pub(crate) fn block((x0, x1): (f32, f32), (y0, y1): (f32, f32), (z0, z1): (f32, f32), material: MaterialId) -> Block {
     ([x0, y0, z0], [x1, y1, z1], material)
 }
 
 /// A part of the building made of boxes.
-pub(super) fn solid(class: &'static str, blocks: &[Block]) -> Option<Item> {
+pub(crate) fn solid(class: &'static str, blocks: &[Block]) -> Option<Item> {
     solid_with(class, blocks, &[])
 }
 
 /// A floor made of boxes, on whose areas things can be put at height zero.
-pub(super) fn floor(blocks: &[Block], areas: &[Area]) -> Option<Item> {
+pub(crate) fn floor(blocks: &[Block], areas: &[Area]) -> Option<Item> {
     solid_with("floor", blocks, areas)
 }
 
@@ -44,7 +44,7 @@ fn solid_with(class: &'static str, blocks: &[Block], areas: &[Area]) -> Option<I
 }
 
 /// A part of the building with its origin at a point; it is built around that point.
-pub(super) fn built(class: &'static str, at: P, style: &Style, build: impl FnOnce(&mut Build<'_>)) -> Item {
+pub(crate) fn built(class: &'static str, at: P, style: &Style, build: impl FnOnce(&mut Build<'_>)) -> Item {
     let mut made = Build::new(class, Vector3::repeat(1.0), style, Seed(0).stream());
     made.anchored();
     build(&mut made);
@@ -54,31 +54,31 @@ pub(super) fn built(class: &'static str, at: P, style: &Style, build: impl FnOnc
 
 /// Draws objects of classes: in one style, the same for the same seed.
 #[derive(Clone, Copy)]
-pub(super) struct Maker<'a> {
-    pub(super) style: &'a Style,
-    pub(super) seed: Seed,
+pub(crate) struct Maker<'a> {
+    pub(crate) style: &'a Style,
+    pub(crate) seed: Seed,
 }
 
 impl Maker<'_> {
     /// An object of the class's usual size.
-    pub(super) fn usual(self, class: &str, nth: u64) -> Option<Object> {
+    pub(crate) fn usual(self, class: &str, nth: u64) -> Option<Object> {
         Some(object::generator(class)?.object(self.style, self.seed.child(class).nth(nth)))
     }
 
     /// An object of a size: depth, width, height.
-    pub(super) fn sized(self, class: &str, size: [f32; 3]) -> Option<Object> {
+    pub(crate) fn sized(self, class: &str, size: [f32; 3]) -> Option<Object> {
         Some(object::generator(class)?.sized(size.into(), self.style, self.seed.child(class)))
     }
 }
 
 /// A part of the building with its own origin at a point.
-pub(super) fn mounted(object: Object, at: P, yaw: f32) -> Item {
+pub(crate) fn mounted(object: Object, at: P, yaw: f32) -> Item {
     let turn = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), yaw);
     fixed(object, Pose::from_parts(Vector3::from(at).into(), turn))
 }
 
 /// An object whose base is centred at a point.
-pub(super) fn placed(object: Object, at: P, yaw: f32, support: Support) -> Item {
+pub(crate) fn placed(object: Object, at: P, yaw: f32, support: Support) -> Item {
     let pose = standing(&object, (at[0], at[1]), at[2], yaw);
     Item { support, required: false, ..fixed(object, pose) }
 }

@@ -5,15 +5,22 @@ use std::sync::Arc;
 
 use vc_graph::State;
 
-use super::looks::Looks;
-use super::measures::{CABIN, CABIN_FRONT, CABIN_WALL, LIFT_DOOR, SILL};
+use super::Looks;
+use super::lift::{DOOR as LIFT_DOOR, SILL};
 use super::parts::{self, Block, Maker, block, mounted, placed, solid};
 use crate::area::Area;
 use crate::item::{Item, Support};
 
 /// The places of some items among those of the cabin.
-pub(super) const DOOR: usize = 1;
-pub(super) const BUTTONS: usize = 2;
+pub(crate) const DOOR: usize = 1;
+pub(crate) const BUTTONS: usize = 2;
+
+/// The cabin within its walls (1,275 kg): half its width, its depth, its height.
+pub(crate) const CABIN: [f32; 3] = [1.0, 1.4, 2.3];
+/// The thickness of its walls.
+pub(crate) const CABIN_WALL: f32 = 0.05;
+/// Its front, metres from the edge of the landing's floor.
+pub(crate) const CABIN_FRONT: f32 = 0.32;
 
 /// The floor's thickness.
 const FLOOR: f32 = 0.1;
@@ -25,7 +32,7 @@ const ROWS: (f32, f32, f32) = (0.9, 0.085, 0.055);
 const BUTTON: f32 = 0.045;
 
 /// The items of the cabin: those with a place first, a button for each storey, then the rest.
-pub(super) fn items(storeys: usize, looks: &Looks, maker: Maker<'_>) -> Vec<Item> {
+pub(crate) fn items(storeys: usize, looks: &Looks, maker: Maker<'_>) -> Vec<Item> {
     let [half, depth, height] = CABIN;
     let (south, north) = (CABIN_FRONT + CABIN_WALL, CABIN_FRONT + CABIN_WALL + depth);
     let mut items = Vec::new();
@@ -58,12 +65,12 @@ pub(super) fn items(storeys: usize, looks: &Looks, maker: Maker<'_>) -> Vec<Item
 }
 
 /// The names of the buttons.
-pub(super) fn names(storeys: usize) -> Vec<(usize, Arc<str>)> {
+pub(crate) fn names(storeys: usize) -> Vec<(usize, Arc<str>)> {
     (0..storeys).map(|storey| (BUTTONS + storey, format!("storey {storey}").into())).collect()
 }
 
 /// The floor within the walls.
-pub(super) fn within() -> Area {
+pub(crate) fn within() -> Area {
     let south = CABIN_FRONT + CABIN_WALL;
     Area { x0: -CABIN[0], y0: south, x1: CABIN[0], y1: south + CABIN[1] }
 }

@@ -20,14 +20,14 @@ const THICK: f32 = 0.025;
 
 /// Materials of a railing.
 #[derive(Clone, Copy)]
-pub(super) struct Looks {
-    pub(super) hand: MaterialId,
-    pub(super) bars: MaterialId,
+pub(crate) struct Looks {
+    pub(crate) hand: MaterialId,
+    pub(crate) bars: MaterialId,
 }
 
 /// A railing along a line on the floor or on the pitch of stairs. It is drawn with its posts and bars, and is a plate
 /// for each stretch to whatever hits it.
-pub(super) fn rail(class: &'static str, line: &[P], looks: Looks, style: &Style) -> Item {
+pub(crate) fn rail(class: &'static str, line: &[P], looks: Looks, style: &Style) -> Item {
     let ends = [line.first(), line.last()].map(|end| end.copied().unwrap_or_default());
     let at = [f32::midpoint(ends[0][0], ends[1][0]), f32::midpoint(ends[0][1], ends[1][1]), ends[0][2].min(ends[1][2])];
     let local: Vec<P> = line.iter().map(|point| std::array::from_fn(|axis| point[axis] - at[axis])).collect();
