@@ -44,11 +44,13 @@ impl fmt::Display for RegionLabel {
 #[non_exhaustive]
 pub enum CityError {
     /// The name is of no kind that is known.
-    #[error("`{0}` names no city; write `building/7`, or `apartment/42` for a home alone: seeds are whole numbers")]
+    #[error(
+        "`{0}` names no city; write `building/7`, `house/7`, or `apartment/42` for a home alone: seeds are whole numbers"
+    )]
     Name(String),
     /// The plan could not be generated.
-    #[error(transparent)]
-    Generation(Arc<vc_procgen::BuildingError>),
+    #[error("{0}")]
+    Generation(Arc<dyn std::error::Error + Send + Sync>),
     /// The node is no agent of this city.
     #[error("{0} is no agent of this city: `agents` lists them")]
     NoSuchAgent(Label),

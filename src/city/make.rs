@@ -71,7 +71,8 @@ impl CityBuilder {
 }
 
 impl City {
-    /// The city with a name, with so many agents: `building/7` is generated from a seed, `apartment/42` is a home alone.
+    /// The city with a name, with so many agents: `building/7` and `house/7` are generated from a seed, the second as
+    /// a city's plan has it, `apartment/42` is a home alone.
     ///
     /// ```
     /// use virtualcity::City;

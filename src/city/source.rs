@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use vc_graph::space::{Region, RegionId, RegionKind, Space};
 use vc_graph::{SceneGraph, Seed};
-use vc_procgen::{Apartment, Building};
+use vc_procgen::{Apartment, Building, House};
 
 use super::CityError;
 
@@ -62,6 +62,16 @@ impl RegionScenes for Building {
     }
 }
 
+impl RegionScenes for House {
+    fn space(&self) -> &Arc<Space> {
+        self.space()
+    }
+
+    fn scene(&self, region: RegionId) -> Result<SceneGraph, Box<dyn Error + Send + Sync>> {
+        Ok(self.scene(region)?)
+    }
+}
+
 /// Why a scene cannot be made.
 pub(super) type SceneFault = Box<dyn Error + Send + Sync>;
 
@@ -97,7 +107,7 @@ impl RegionScenes for Home {
     }
 }
 
-/// The regions of a name: `building/SEED`, or `apartment/SEED` for a home as the only region.
+/// The regions of a name: `building/SEED`, `house/SEED`, or `apartment/SEED` for a home as the only region.
 pub(super) fn named(name: &str) -> Result<Arc<dyn RegionScenes>, CityError> {
     let unknown = || CityError::Name(name.to_owned());
     let (kind, seed) = name.split_once('/').ok_or_else(unknown)?;
@@ -105,6 +115,7 @@ pub(super) fn named(name: &str) -> Result<Arc<dyn RegionScenes>, CityError> {
     let seed = Seed(seed.parse().ok().filter(|_| is_number).ok_or_else(unknown)?);
     match kind {
         "building" => Ok(Arc::new(Building::from_seed(seed).map_err(|why| CityError::Generation(Arc::new(why)))?)),
+        "house" => Ok(Arc::new(House::from_seed(seed).map_err(|why| CityError::Generation(Arc::new(why)))?)),
         "apartment" => Ok(Arc::new(Home { seed, space: Space::single(Region::new(RegionKind::Unit, name))?.into() })),
         _ => Err(unknown()),
     }

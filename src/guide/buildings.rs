@@ -38,6 +38,29 @@
 //! it; [`City::legal_actions`](crate::City::legal_actions) lists these. Many at one door or lift heed each other: one waits until there is
 //! room beyond, those who stand in the way step aside, and whoever has no room in a lift takes the next ride.
 //!
+//! # A house of a city
+//!
+//! [`House`](crate::procgen::House) makes a building of a [city's plan](crate::procgen::city::CityPlan) such a world: a hall with a door to the
+//! street, landings with stairs and a lift, flats whose windows are those of the facade. `house/7` is one of a small city.
+//!
+//! ```
+//! use virtualcity::graph::Seed;
+//! use virtualcity::procgen::House;
+//! use virtualcity::procgen::city::{CityPlan, CitySpecification};
+//! use virtualcity::City;
+//!
+//! let wishes = CitySpecification { area: 0.2, ..CitySpecification::default() };
+//! let plan = CityPlan::generate(&wishes, Seed(7))?;
+//! let house = (0..plan.buildings().len()).find_map(|building| House::of(&plan, building).ok()).ok_or("no house")?;
+//! let (street, top) = (house.street(), house.storeys().last().ok_or("no storey")?.homes[0]);
+//! let mut city = City::of(house).make()?;
+//! let me = city.agents().next().ok_or("nobody")?;
+//! city.go(me, street)?;
+//! city.go(me, top)?;
+//! println!("{} after {}", city.region_label(top), city.tick());
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
 //! # Seen through doors
 //!
 //! Pictures and observations reach through open doors and other portals, also into regions where nobody is; looking changes

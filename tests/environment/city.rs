@@ -2,6 +2,7 @@
 
 mod doors;
 mod falls;
+mod houses;
 mod obstructed;
 mod passing;
 mod saves;
