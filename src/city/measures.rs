@@ -72,6 +72,8 @@ pub(super) const OVER: f32 = 0.02;
 /// may be, metres.
 pub(super) const ON_LINE: f32 = 0.2;
 pub(super) const FLUSH: f32 = 0.1;
+/// How far from the edge of a floor it is still said to be over it, metres.
+pub(super) const EDGE: f32 = 0.03;
 /// How far over it goes with those that it touches, metres; what stands beyond is in the way for as far again.
 pub(super) const TOGETHER: f32 = 1.0;
 /// How far beyond a threshold, or beside it, a thing has come through it, metres.

@@ -11,7 +11,7 @@ use vc_graph::space::{Portal, PortalSide, RegionId};
 use vc_graph::{Aabb, NodeId, Pose};
 use vc_physics::BodyRole;
 
-use super::measures::{ASIDE, BEHIND, DEEPEST, FLUSH, NEAR, ON_LINE, OVER, TOGETHER, TOUCHING};
+use super::measures::{ASIDE, BEHIND, DEEPEST, EDGE, FLUSH, NEAR, ON_LINE, OVER, TOGETHER, TOUCHING};
 use super::record::Order;
 use super::{City, CityError};
 use crate::Environment;
@@ -49,20 +49,19 @@ impl Gate {
         is_in_opening && self.beyond(at).is_some_and(|over| over > -ASIDE)
     }
 
-    /// How far a thing of the first region is over the line, metres, if it is to go to the other region. Near the line the floor
-    /// decides: whatever is over its own floor stays, and so does what is on the next flight of stairs, which leads over the portal;
-    /// whatever is over the floor beyond goes.
+    /// How far a thing of the first region is over the line, metres, if it is to go to the other region. The floor decides: whatever is
+    /// over something fixed of its own region stays, on the next flight of stairs, too; near the line, whatever is over the floor
+    /// beyond goes. It is looked for a little towards the own side, so that what lies on an edge does not go to and fro.
     fn takes(&self, there: &Environment, thing: NodeId) -> Option<f32> {
         let at = there.world().body(thing).ok()?.centre_of_mass();
         let over = self.beyond(&at).filter(|over| *over > -ON_LINE)?;
-        let below = there.world().ray(at, at - DEEPEST * Vector3::z(), &there.graph().carried_with(thing));
-        let below = below.map(|(id, hit)| (id, self.own.inverse_transform_point(&hit).z));
-        let is_own = |id: NodeId| there.graph().node(id).is_some();
+        let from = at - self.own.rotation * Vector3::x() * EDGE;
+        let below = there.world().ray(from, from - DEEPEST * Vector3::z(), &there.graph().carried_with(thing));
         let goes = match below {
-            Some((id, height)) if !is_own(id) && height.abs() < FLUSH => true,
-            Some((id, height)) if is_own(id) && there.world().role(id) == Some(BodyRole::Fixed) => {
-                over > OVER && height.abs() >= FLUSH && height <= ASIDE
+            Some((id, _)) if there.graph().node(id).is_some() => {
+                over > OVER && there.world().role(id) != Some(BodyRole::Fixed)
             }
+            Some((_, hit)) if self.own.inverse_transform_point(&hit).z.abs() < FLUSH => true,
             _ => over > OVER,
         };
         goes.then_some(over)

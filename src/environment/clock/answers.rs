@@ -8,6 +8,9 @@ use super::schedule::Schedule;
 use super::track::Track;
 use crate::environment::Environment;
 
+/// How near to each other two things are that move together, metres.
+const BESIDE: f32 = 0.02;
+
 impl Environment {
     /// The nodes for which others answer that are doing something.
     pub(super) fn owned_by_others(&self, but: NodeId, before: &SceneGraph) -> Vec<NodeId> {
@@ -65,23 +68,31 @@ impl Environment {
         self.excuse(things);
     }
 
-    /// Whatever touches what is adrift, and moves, is adrift from now on: it has been hit, or has lost its support.
+    /// Whatever moves beside what is adrift is adrift from now on: it has been hit, or has lost its support. What is hit may have sprung
+    /// away in the same tick, so contacts do not tell.
     pub(super) fn spread_adrift(&mut self) {
-        let is_loose = |thing: &NodeId| self.world.role(*thing) == Some(BodyRole::Loose);
-        let mut left: Vec<NodeId> = self.clock.adrift.iter().copied().filter(is_loose).collect();
+        if self.clock.adrift.is_empty() {
+            return;
+        }
+        let world = &self.world;
+        // The boxes of all that moves, with how far it goes in a tick.
+        let reach = |id: NodeId| {
+            let far = BESIDE + world.body(id).ok()?.velocity().norm() * world.settings().dt;
+            Some((id, world.aabb(id)?.grown(far, far)))
+        };
+        let is_loose = |id: &NodeId| world.role(*id) == Some(BodyRole::Loose);
+        let (mut left, mut others): (Vec<_>, Vec<_>) = (world.awake_things().into_iter().filter(is_loose))
+            .filter_map(reach)
+            .partition(|(id, _)| self.clock.adrift.contains(id));
         let mut met = Vec::new();
-        while let Some(thing) = left.pop() {
-            let contacts = self.world.body(thing).map(|body| body.contacts()).unwrap_or_default();
-            for other in contacts.into_iter().map(|met| if met.a == thing { met.b } else { met.a }) {
-                let moves = self.world.role(other) == Some(BodyRole::Loose) && !self.world.rests(&[other]);
-                if moves && self.clock.adrift.insert(other) {
-                    left.push(other);
-                    met.push(other);
-                }
-            }
+        while let Some((_, around)) = left.pop() {
+            let (hit, rest): (Vec<_>, Vec<_>) = others.into_iter().partition(|(_, other)| other.meets(&around));
+            met.extend(hit.iter().map(|(id, _)| *id));
+            left.extend(hit);
+            others = rest;
         }
         if !met.is_empty() {
-            self.excuse(&met);
+            self.set_adrift(&met);
         }
     }
 

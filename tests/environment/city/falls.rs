@@ -289,14 +289,18 @@ fn what_comes_to_the_head_of_stairs_is_where_it_lies() {
         let class = if boxed { "box" } else { "ball" };
         let thing = city.peek(gallery).unwrap().graph().of_class(class)[0];
         throw(&mut city, thing, [0.0, speed, 0.0]);
+        let (mut before, mut crossings) = (gallery, 0);
         for tick in 0..400 {
             city.step(Span(1));
             let region = city.region_of(thing).unwrap();
+            crossings += usize::from(region != before);
+            before = region;
             let at = city.environment(region).map(|there| there.world().body(thing).unwrap().centre_of_mass());
             // The floor of the next gallery is 3.2 m above, and a flight of stairs leads up to it.
             let is_here = at.is_none_or(|at| at.z > -0.3 && at.z < 3.2 + 0.4);
             assert!(storey(region).is_some() && is_here, "{class}, {speed}: in {region} at {at:?} after {tick} ticks");
         }
+        assert!(crossings < 4, "{class}, {speed}: to and fro {crossings} times");
         let (region, on) = landed(&mut city, thing);
         assert!(!on.is_empty(), "{class}, {speed}: in {region}, on nothing");
         assert_eq!(city.validate().unwrap(), [], "{class}, {speed}");
