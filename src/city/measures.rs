@@ -70,7 +70,7 @@ pub(super) const AJAR: f32 = 0.1;
 pub(super) const OVER: f32 = 0.02;
 /// How near to the line the floor below a thing decides in which region it is, and how far from the height of the threshold that floor
 /// may be, metres.
-pub(super) const ON_LINE: f32 = 0.2;
+pub(super) const ON_LINE: f32 = 0.1;
 pub(super) const FLUSH: f32 = 0.1;
 /// How far from the edge of a floor it is still said to be over it, metres.
 pub(super) const EDGE: f32 = 0.03;
