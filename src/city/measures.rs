@@ -74,6 +74,8 @@ pub(super) const ON_LINE: f32 = 0.1;
 pub(super) const FLUSH: f32 = 0.1;
 /// How far from the edge of a floor it is still said to be over it, metres.
 pub(super) const EDGE: f32 = 0.03;
+/// How far beyond the edge of a floor the middle of what lies on it may be, metres: that of something small that leans over it.
+pub(super) const LEDGE: f32 = 0.1;
 /// How far over it goes with those that it touches, metres; what stands beyond is in the way for as far again.
 pub(super) const TOGETHER: f32 = 1.0;
 /// How far beyond a threshold, or beside it, a thing has come through it, metres.

@@ -11,7 +11,7 @@ use vc_graph::space::{Portal, PortalSide, RegionId};
 use vc_graph::{Aabb, NodeId, Pose};
 use vc_physics::BodyRole;
 
-use super::measures::{ASIDE, BEHIND, DEEPEST, EDGE, FLUSH, NEAR, ON_LINE, OVER, TOGETHER, TOUCHING};
+use super::measures::{ASIDE, BEHIND, DEEPEST, EDGE, FALLS, FLUSH, LEDGE, NEAR, ON_LINE, OVER, TOGETHER, TOUCHING};
 use super::record::Order;
 use super::{City, CityError};
 use crate::Environment;
@@ -50,19 +50,26 @@ impl Gate {
     }
 
     /// How far a thing of the first region is over the line, metres, if it is to go to the other region. The floor decides: whatever is
-    /// over something fixed of its own region stays, on the next flight of stairs, too; near the line, whatever is over the floor
-    /// beyond goes. It is looked for a little towards the own side, so that what lies on an edge does not go to and fro.
+    /// over something fixed of its own region stays, on the next flight of stairs, too, and at the edge of its floor if none goes on
+    /// beyond; near the line, whatever is over the floor beyond goes. Nothing that lies on an edge goes to and fro.
     fn takes(&self, there: &Environment, thing: NodeId) -> Option<f32> {
-        let at = there.world().body(thing).ok()?.centre_of_mass();
+        let body = there.world().body(thing).ok()?;
+        let at = body.centre_of_mass();
         let over = self.beyond(&at).filter(|over| *over > -ON_LINE)?;
-        let from = at - self.own.rotation * Vector3::x() * EDGE;
-        let below = there.world().ray(from, from - DEEPEST * Vector3::z(), &there.graph().carried_with(thing));
-        let goes = match below {
-            Some((id, _)) if there.graph().node(id).is_some() => {
-                over > OVER && there.world().role(id) != Some(BodyRole::Fixed)
-            }
-            Some((_, hit)) if self.own.inverse_transform_point(&hit).z.abs() < FLUSH => true,
-            _ => over > OVER,
+        let carried = there.graph().carried_with(thing);
+        // What is below a point so far back on the own side: whether it is fixed and the region's own, and level with the threshold.
+        let below = |back: f32| {
+            let from = at - self.own.rotation * Vector3::x() * back;
+            let (id, hit) = there.world().ray(from, from - DEEPEST * Vector3::z(), &carried)?;
+            let is_fixed = there.graph().node(id).is_none() || there.world().role(id) == Some(BodyRole::Fixed);
+            let is_level = self.own.inverse_transform_point(&hit).z.abs() < FLUSH;
+            is_fixed.then_some((there.graph().node(id).is_some(), is_level))
+        };
+        let goes = match below(0.0) {
+            Some((true, _)) => false,
+            Some((false, true)) => over > OVER || below(EDGE) == Some((false, true)),
+            // What falls is held by no edge.
+            _ => over > OVER && (body.velocity().z < -FALLS || below(LEDGE) != Some((true, true))),
         };
         goes.then_some(over)
     }
