@@ -11,7 +11,9 @@ use vc_graph::space::{Portal, PortalSide, RegionId};
 use vc_graph::{Aabb, NodeId, Pose};
 use vc_physics::BodyRole;
 
-use super::measures::{ASIDE, BEHIND, DEEPEST, EDGE, FALLS, FLUSH, LEDGE, NEAR, ON_LINE, OVER, TOGETHER, TOUCHING};
+use super::measures::{
+    ASIDE, BEHIND, CREEPS, DEEPEST, EDGE, FALLS, FLUSH, LEDGE, NEAR, ON_LINE, OVER, TOGETHER, TOUCHING, WAKES,
+};
 use super::record::Order;
 use super::{City, CityError};
 use crate::Environment;
@@ -56,20 +58,22 @@ impl Gate {
         let body = there.world().body(thing).ok()?;
         let at = body.centre_of_mass();
         let over = self.beyond(&at).filter(|over| *over > -ON_LINE)?;
-        let carried = there.graph().carried_with(thing);
-        // What is below a point so far back on the own side: whether it is fixed and the region's own, and level with the threshold.
+        let loose: Vec<NodeId> = there.world().nodes().into_iter().filter(|id| is_loose(there, *id)).collect();
+        // What is below a point so far back on the own side, loose things left out: whether it is the region's own, and level with the
+        // threshold.
         let below = |back: f32| {
             let from = at - self.own.rotation * Vector3::x() * back;
-            let (id, hit) = there.world().ray(from, from - DEEPEST * Vector3::z(), &carried)?;
-            let is_fixed = there.graph().node(id).is_none() || there.world().role(id) == Some(BodyRole::Fixed);
+            let (id, hit) = there.world().ray(from, from - DEEPEST * Vector3::z(), &loose)?;
             let is_level = self.own.inverse_transform_point(&hit).z.abs() < FLUSH;
-            is_fixed.then_some((there.graph().node(id).is_some(), is_level))
+            Some((there.graph().node(id).is_some(), is_level))
         };
+        // What lies higher than the edge is on it even if it leans far over; what is lower may lie on the step below.
+        let ledge = if self.own.inverse_transform_point(&at).z > 0.0 { 2.0 * LEDGE } else { LEDGE };
         let goes = match below(0.0) {
             Some((true, _)) => false,
             Some((false, true)) => over > OVER || below(EDGE) == Some((false, true)),
             // What falls is held by no edge.
-            _ => over > OVER && (body.velocity().z < -FALLS || below(LEDGE) != Some((true, true))),
+            _ => over > OVER && (body.velocity().z < -FALLS || below(ledge) != Some((true, true))),
         };
         goes.then_some(over)
     }
@@ -117,8 +121,10 @@ impl City {
         let mut reached = BTreeSet::new();
         for region in moving {
             self.bar_behind(*region);
-            for gate in self.open_gates(*region) {
-                reached.extend(self.draw_near(&gate));
+            for (gate, is_open) in self.passable_gates(*region) {
+                if is_open {
+                    reached.extend(self.draw_near(&gate));
+                }
                 self.send_over(&gate);
             }
             self.fall_out(*region);
@@ -157,9 +163,14 @@ impl City {
         self.gates(region).filter_map(|(_, plan, side, across)| self.gate(plan, side, across)).collect()
     }
 
-    fn open_gates(&self, region: RegionId) -> Vec<Gate> {
-        let open = self.gates(region).filter(|(_, plan, ..)| self.lets_things_through(region, plan));
-        open.filter_map(|(_, plan, side, across)| self.gate(plan, side, across)).collect()
+    /// The gates of a region that let things through, and those that its own leaf shuts: what lies beyond that has been drawn in, out of
+    /// the way of the leaf.
+    fn passable_gates(&self, region: RegionId) -> Vec<(Gate, bool)> {
+        let all = self.gates(region).map(|(_, plan, side, across)| {
+            let is_open = self.lets_things_through(region, plan);
+            self.gate(plan, side, across).map(|gate| (gate, is_open))
+        });
+        all.flatten().filter(|(gate, is_open)| *is_open || gate.leaf.is_some()).collect()
     }
 
     fn gate(&self, plan: &Portal, side: &PortalSide, across: &PortalSide) -> Option<Gate> {
@@ -258,15 +269,22 @@ impl City {
 
 /// The loose things of a region.
 pub(super) fn loose(there: &Environment) -> impl Iterator<Item = NodeId> + '_ {
-    there.world().nodes().into_iter().filter(|id| there.world().role(*id) == Some(BodyRole::Loose))
+    there.world().nodes().into_iter().filter(|id| is_loose(there, *id))
 }
 
-/// The boxes around what moves in a region, grown by what it moves in a tick.
+fn is_loose(there: &Environment, id: NodeId) -> bool {
+    there.world().role(id) == Some(BodyRole::Loose)
+}
+
+/// The boxes around what moves in a region, grown by what it moves in a tick. What has only been woken draws nothing near: it falls for a
+/// tick before its support holds it again.
 fn moving_boxes(there: &Environment) -> impl Iterator<Item = Aabb> + '_ {
-    there.world().awake_things().into_iter().filter_map(|id| {
-        let speed = there.world().body(id).ok()?.velocity().norm();
-        let tick = speed * there.world().settings().dt;
-        Some(there.world().aabb(id)?.grown(tick, tick))
+    let tick = there.world().settings().dt;
+    there.world().awake_things().into_iter().filter_map(move |id| {
+        let velocity = there.world().body(id).ok()?.velocity();
+        let moves = velocity.xy().norm() > CREEPS || velocity.z.abs() > WAKES;
+        let reach = velocity.norm() * tick;
+        moves.then(|| there.world().aabb(id).map(|own| own.grown(reach, reach)))?
     })
 }
 

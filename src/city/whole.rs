@@ -8,8 +8,8 @@ use std::sync::Arc;
 use nalgebra::Translation3;
 use vc_graph::space::RegionId;
 use vc_graph::{
-    AssetLibrary, Bounds, BoundsFrame, Change, ChangeSet, Draft, Edge, Label, Node, NodeId, ObjectRole, Pose,
-    SceneBuilder, SceneGraph, Violation,
+    AssetLibrary, Bounds, BoundsFrame, Change, ChangeSet, Draft, Edge, Label, Node, NodeId, ObjectRole, Place, Pose,
+    Relation, SceneBuilder, SceneGraph, Violation,
 };
 use vc_physics::BodyRole;
 
@@ -80,6 +80,12 @@ impl fmt::Display for CityViolation {
     }
 }
 
+/// Whether a thing lies on stairs, which lead out of the room that they are of.
+fn is_on_stairs(graph: &SceneGraph, thing: NodeId) -> bool {
+    let stairs = |place: Place| graph.node(place.at).is_some_and(|node| node.role() == ObjectRole::Structure);
+    graph.places(thing).filter(|place| place.relation == Relation::On).any(stairs)
+}
+
 impl City {
     /// All that is wrong in the regions that are there and in those that somebody has changed: their scenes
     /// ([`SceneGraph::validate`]), things outside, below the floor or in shut doors, and nodes that are in no region or in two. Nothing is
@@ -103,7 +109,8 @@ impl City {
             let label = self.region_label(*region);
             let scene = |violation| CityViolation::Scene { region: label.clone(), violation };
             found.extend(there.graph().validate().into_iter().map(scene));
-            let outside = there.world().outside().into_iter().map(|thing| there.graph().label(thing));
+            let outside = there.world().outside().into_iter().filter(|thing| !is_on_stairs(there.graph(), *thing));
+            let outside = outside.map(|thing| there.graph().label(thing));
             found.extend(outside.map(|thing| CityViolation::Outside { region: label.clone(), thing }));
             let sunk = below_floor(there).into_iter().map(|thing| there.graph().label(thing));
             found.extend(sunk.map(|thing| CityViolation::BelowFloor { region: label.clone(), thing }));

@@ -315,6 +315,71 @@ fn what_comes_to_the_head_of_stairs_is_where_it_lies() {
     }
 }
 
+/// A building with some things on the floor of a region.
+#[derive(Clone)]
+struct WithThings {
+    building: Arc<Building>,
+    region: RegionId,
+    things: Vec<(&'static str, Asset, Point3<f32>)>,
+}
+
+impl RegionScenes for WithThings {
+    fn space(&self) -> &Arc<Space> {
+        self.building.space()
+    }
+
+    fn scene(&self, region: RegionId) -> Result<SceneGraph, Box<dyn Error + Send + Sync>> {
+        let made = self.building.scene(region)?;
+        if region != self.region {
+            return Ok(made);
+        }
+        let floor = made.of_role(ObjectRole::Floor).next().ok_or("no floor")?.id();
+        let mut library = AssetLibrary::clone(made.assets());
+        let numbers = self.space().region(region).ok_or("no region")?.numbers;
+        let ids = self.things.iter().map(|(_, asset, _)| library.add(asset.clone())).collect::<Result<Vec<_>, _>>()?;
+        let mut scene = SceneBuilder::from_graph(made);
+        scene.assets(Arc::new(library)).numbers(numbers);
+        for ((class, _, at), asset) in self.things.iter().zip(ids) {
+            let at = Pose::translation(at.x, at.y, at.z);
+            scene.add_on(floor, Draft { asset: Some(asset), ..Draft::new(*class) }.at(at))?;
+        }
+        Ok(scene.build())
+    }
+}
+
+/// What leans over the edge of a gallery stays there, whatever lies behind it, and nothing goes to and fro between the storeys.
+#[test]
+fn what_lies_behind_what_leans_over_the_edge_stays() {
+    let building = Arc::new(Building::from_seed(Seed(7)).unwrap());
+    let gallery = building.storeys()[1].gallery;
+    let flat = |half: [f32; 3]| asset(vec![part(Shape::Box { half: half.into() }, [0.0, 0.0, half[2]])]);
+    for (rod, plate, wait) in [(2.26, 3.94, 20), (2.72, 4.46, 40), (2.46, 4.13, 100)] {
+        let things = vec![
+            ("tray", flat([0.6, 0.02, 0.02]), Point3::new(-1.2, 2.5, 0.0)),
+            ("plate", flat([0.13, 0.13, 0.01]), Point3::new(-1.2, 2.03, 0.0)),
+        ];
+        let scenes = WithThings { building: building.clone(), region: gallery, things };
+        let mut city = City::of(scenes).agents(0).make().unwrap();
+        let [first, second] = ["tray", "plate"].map(|class| city.peek(gallery).unwrap().graph().of_class(class)[0]);
+        let mut crossings = 0;
+        throw(&mut city, first, [0.0, rod, 0.1]);
+        city.step(Span(wait));
+        throw(&mut city, second, [0.0, plate, 0.1]);
+        let mut before = [first, second].map(|thing| city.region_of(thing));
+        for _ in 0..900 {
+            city.step(Span(1));
+            let now = [first, second].map(|thing| city.region_of(thing));
+            crossings += before.iter().zip(&now).filter(|(before, now)| before != now).count();
+            before = now;
+        }
+        assert!(crossings < 10, "{rod}, {plate}: to and fro {crossings} times");
+        for thing in [first, second] {
+            let (region, on) = landed(&mut city, thing);
+            assert!(!on.is_empty(), "{rod}, {plate}: {thing} in {region}, on nothing");
+        }
+    }
+}
+
 /// What lies somewhere is read however somebody or something comes there meanwhile.
 #[test]
 fn what_lies_in_the_yard_is_read_when_somebody_comes() {
