@@ -47,7 +47,7 @@ impl Gate {
     /// Whether a point is in the opening of this portal, or beyond it.
     pub(super) fn is_at(&self, at: &Point3<f32>) -> bool {
         let out = self.own.inverse_transform_point(at);
-        let is_in_opening = out.y.abs() < self.width / 2.0 + TOUCHING && out.z > -TOUCHING;
+        let is_in_opening = out.y.abs() < self.width / 2.0 + TOUCHING && out.z > -ASIDE;
         is_in_opening && self.beyond(at).is_some_and(|over| over > -ASIDE)
     }
 
@@ -69,11 +69,13 @@ impl Gate {
         };
         // What lies higher than the edge is on it even if it leans far over; what is lower may lie on the step below.
         let ledge = if self.own.inverse_transform_point(&at).z > 0.0 { 2.0 * LEDGE } else { LEDGE };
+        let falls = body.velocity().z < -FALLS;
         let goes = match below(0.0) {
             Some((true, _)) => false,
             Some((false, true)) => over > OVER || below(EDGE) == Some((false, true)),
-            // What falls is held by no edge.
-            _ => over > OVER && (body.velocity().z < -FALLS || below(ledge) != Some((true, true))),
+            // No edge holds what falls, nor anything that it touches.
+            _ if falls && over > OVER => return Some(f32::INFINITY),
+            _ => over > OVER && below(ledge) != Some((true, true)),
         };
         goes.then_some(over)
     }
