@@ -1,5 +1,5 @@
 //! Plans a city from a seed: pictures with legends of the city and of a storey with its flats, figures beside those of real cities,
-//! the rules, and its streets for SUMO and OpenDRIVE.
+//! the rules, its streets for SUMO and OpenDRIVE, views at street level by day and by night, and a block as glTF.
 //!
 //! ```text
 //! cargo run --release --example city -- --seed 7 --out out/city
@@ -10,6 +10,7 @@
 mod raster;
 #[path = "../support/mod.rs"]
 mod support;
+mod views;
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -41,6 +42,9 @@ struct Arguments {
     /// Pixels for a metre.
     #[arg(long, default_value_t = 2.0)]
     scale: f64,
+    /// The number of views at street level, each by day and by night.
+    #[arg(long, default_value_t = 2)]
+    views: u64,
     /// The folder for pictures and files; nothing is written without one.
     #[arg(long)]
     out: Option<PathBuf>,
@@ -61,6 +65,8 @@ fn main() -> Result<(), Complaint> {
     if let Some(folder) = &arguments.out {
         std::fs::create_dir_all(folder)?;
         write(&plan, folder, arguments.scale)?;
+        views::block(&plan, folder)?;
+        views::write(&plan, folder, arguments.views)?;
         say!("written to {}", folder.display());
     }
     Ok(())

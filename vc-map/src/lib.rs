@@ -9,6 +9,7 @@ mod geo;
 mod id;
 mod index;
 mod map;
+mod markings;
 mod offset;
 pub mod osm;
 mod parts;
@@ -29,6 +30,7 @@ pub use id::{
     BuildingId, CrossingId, EntranceId, JunctionId, LaneId, MovementId, RoadId, SignalId, WalkEdgeId, WalkNodeId,
 };
 pub use map::StreetMap;
+pub use markings::Marking;
 pub use parts::{Arm, Junction, Lane, Movement, Road, RoadCrossing, Turn, WalkEdge, WalkKind, WalkNode};
 pub use places::{Area, AreaKind, Bay, Building, Entrance, EntranceDraft, Stop, StopDraft, StopKind};
 pub use polyline::{Point, Polyline, Projection};

@@ -17,7 +17,7 @@
 //! ```
 //!
 //! [`Building`] is a plan of regions, homes among them, and makes the scene of each. [`city`] plans cities: streets, blocks,
-//! parcels, buildings with their units.
+//! parcels, buildings with their units. [`House`] is one of these as regions, and [`Outdoors`] makes scenes of streets.
 //!
 //! Objects, materials and [`Style`](vc_shapes::Style)s are those of [`vc_shapes`]; [`dress`] gives shapes to scenes
 //! of boxes.
@@ -35,12 +35,14 @@ mod draft;
 pub mod dress;
 mod dressing;
 mod error;
+mod facade;
 mod fingerprint;
 mod furnish;
 mod generate;
 mod house;
 mod item;
 mod layout;
+mod outdoors;
 pub mod picture;
 pub mod plan;
 mod reach;
@@ -61,5 +63,6 @@ pub use fingerprint::{Fingerprint, FingerprintError};
 pub use house::{House, HouseError, HouseStorey};
 pub use item::{Item, Support};
 pub use layout::Layout;
+pub use outdoors::{Outdoors, OutdoorsError};
 pub use specification::Specification;
 pub use violation::{ApartmentViolation, ItemLabel};

@@ -15,6 +15,7 @@ use crate::{
 const CORNER: f64 = 2.0;
 
 pub(super) fn draw(map: &StreetMap, drawing: &mut Drawing) {
+    let markings = map.markings();
     areas(map, drawing);
     let mut roads: Vec<usize> = (0..map.roads().len()).collect();
     roads.sort_by_key(|index| (map.roads()[*index].draft.layer, *index));
@@ -31,11 +32,12 @@ pub(super) fn draw(map: &StreetMap, drawing: &mut Drawing) {
         let last = above.get(position + 1).is_none_or(|next| map.roads()[*next].draft.layer != this);
         if last && layer != Some(this) {
             junctions(map, drawing, this);
-            marks::roads(map, drawing, this);
+            marks::painted(drawing, &markings, Some(this));
             layer = Some(this);
         }
     }
-    marks::crossings(map, drawing);
+    marks::painted(drawing, &markings, None);
+    marks::unmarked(map, drawing);
     marks::signals(map, drawing);
     points(map, drawing);
     marks::names(map, drawing);

@@ -1,55 +1,30 @@
-//! Lines on roads, crossings, signals, names.
+//! Painted lines, crossings, signals, names.
 
 use std::collections::BTreeSet;
 
 use super::legend::{MARK, SIGNAL};
 use super::{Drawing, Text, layers::square};
 use crate::polyline::normal;
-use crate::{CrossingKind, LaneId, StreetMap, StripKind, Users};
+use crate::{CrossingKind, Marking, StreetMap, Users};
 
-/// The width of lines and the lengths of dashes and gaps, metres, as German rules for towns have them (RMS-1).
-const LINE: f64 = 0.15;
-const DASH: [f64; 2] = [2.0, 4.0];
 /// Names on carriageways, and on what is light.
 const LIGHT: [u8; 3] = [250, 250, 245];
 const DARK: [u8; 3] = [20, 20, 24];
-/// Bars of zebras and the gaps between them, metres.
-const ZEBRA: [f64; 2] = [0.5, 0.5];
 
-/// Lines between lanes, divider and stop lines of the roads of a layer.
-pub(super) fn roads(map: &StreetMap, drawing: &mut Drawing, layer: i8) {
-    for lane in map.lanes().iter().filter(|lane| lane.kind == StripKind::Driving) {
-        let Some(road) = map.road(lane.road).filter(|road| road.draft.layer == layer && road.draft.class.is_street())
-        else {
-            continue;
-        };
-        // The inner edge is to the left of those who drive on the right.
-        let edge = lane.line.offset(map.side().sign() * lane.width / 2.0);
-        let drives = |id: LaneId| map.lane(id).is_some_and(|lane| lane.kind == StripKind::Driving);
-        let both = !road.draft.section.forward.is_empty() && road.draft.section.users(false).any(Users::TRAFFIC);
-        if lane.inner.is_some_and(drives) || (lane.forward && lane.index == 0 && both) {
-            drawing.dashes(MARK, LINE, DASH, edge.points());
-        }
-        if let Some(at) = lane.stop_line.filter(|at| *at > 0.5) {
-            let (point, along) = (lane.line.at(at), lane.line.direction(at));
-            let across = normal(along) * (lane.width / 2.0);
-            drawing.line(MARK, 0.3, &[point - across, point + across]);
+/// Lines painted on the roads of a layer, or those of crossings.
+pub(super) fn painted(drawing: &mut Drawing, markings: &[Marking], layer: Option<i8>) {
+    for marking in markings.iter().filter(|marking| marking.layer == layer) {
+        match marking.dashes {
+            Some(dashes) => drawing.dashes(MARK, marking.width, dashes, &marking.points),
+            None => drawing.line(MARK, marking.width, &marking.points),
         }
     }
 }
 
-/// Zebras as bars along the traffic; crossings at lights as two lines.
-pub(super) fn crossings(map: &StreetMap, drawing: &mut Drawing) {
-    for crossing in map.crossings() {
-        match crossing.kind {
-            CrossingKind::Marked => drawing.dashes(MARK, crossing.width, ZEBRA, crossing.line.points()),
-            CrossingKind::Signals => {
-                for side in [-0.5, 0.5] {
-                    drawing.dashes(MARK, 0.25, [0.8, 0.4], crossing.line.offset(side * crossing.width).points());
-                }
-            }
-            CrossingKind::Unmarked => drawing.dashes([150, 152, 156], 0.2, [0.4, 1.2], crossing.line.points()),
-        }
+/// Where people cross though nothing is painted.
+pub(super) fn unmarked(map: &StreetMap, drawing: &mut Drawing) {
+    for crossing in map.crossings().iter().filter(|crossing| crossing.kind == CrossingKind::Unmarked) {
+        drawing.dashes([150, 152, 156], 0.2, [0.4, 1.2], crossing.line.points());
     }
 }
 

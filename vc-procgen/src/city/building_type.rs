@@ -70,6 +70,11 @@ impl BuildingType {
         &TABLE[self as usize]
     }
 
+    /// How far a building stands from the building line of its street, metres.
+    pub fn setback(self) -> f64 {
+        self.measures().setback[0]
+    }
+
     /// The word in texts and on maps.
     pub fn word(self) -> &'static str {
         match self {

@@ -70,6 +70,7 @@ pub use figures::CityFigure;
 pub use flat::FlatPlan;
 pub(crate) use floor::{CORE, CORRIDOR, Core};
 pub use item::{StreetItem, TrafficSign};
+pub(crate) use near::Near;
 pub use park::{Park, ParkFeature};
 pub use parked::ParkedCar;
 pub use specification::{CitySpecification, Waterside};

@@ -9,7 +9,7 @@ const CELL: f64 = 24.0;
 
 /// Numbered points, found by place.
 #[derive(Default)]
-pub(super) struct Near {
+pub(crate) struct Near {
     cells: BTreeMap<(i32, i32), Vec<(usize, Point)>>,
 }
 
@@ -18,7 +18,7 @@ fn cell(point: &Point) -> (i32, i32) {
 }
 
 impl Near {
-    pub(super) fn of<'a>(points: impl IntoIterator<Item = &'a Point>) -> Self {
+    pub(crate) fn of<'a>(points: impl IntoIterator<Item = &'a Point>) -> Self {
         let mut near = Self::default();
         points.into_iter().enumerate().for_each(|(number, point)| near.add(number, *point));
         near
@@ -29,11 +29,16 @@ impl Near {
     }
 
     /// The numbers of the points within a distance in metres of another one, in the order of cells.
-    pub(super) fn around<'a>(&'a self, at: &Point, within: f64) -> impl Iterator<Item = usize> + use<'a> {
+    pub(crate) fn around<'a>(&'a self, at: &Point, within: f64) -> impl Iterator<Item = usize> + use<'a> {
+        self.found(at, within).map(|(number, _)| number)
+    }
+
+    /// The same with their distances, metres.
+    pub(crate) fn found<'a>(&'a self, at: &Point, within: f64) -> impl Iterator<Item = (usize, f64)> + use<'a> {
         let at = *at;
         let [low, high] = [-within, within].map(|away| cell(&Point::new(at.x + away, at.y + away)));
         let columns = (low.0..=high.0).flat_map(move |x| self.cells.range((x, low.1)..=(x, high.1)));
         let points = columns.flat_map(|(_, points)| points);
-        points.filter(move |(_, point)| (point - at).norm() <= within).map(|(number, _)| *number)
+        points.map(move |(number, point)| (*number, (point - at).norm())).filter(move |(_, away)| *away <= within)
     }
 }

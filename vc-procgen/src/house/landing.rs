@@ -7,12 +7,13 @@ use vc_graph::{Pose, State};
 
 use super::flat::Flat;
 use super::measures::{EDGE, HALF, Height, LINING, Measures, SHAFT, SLAB, STREET_DOOR as ENTRANCE, WALL, WINDOW};
-use super::wall::{Panel, wall};
+use super::wall::wall;
 use crate::area::Area;
 use crate::circulation::parts::{Block, Maker, P, block, floor, mounted, placed, solid};
 use crate::circulation::rail::rail;
 use crate::circulation::stairs::BANISTER;
 use crate::circulation::{Looks, lift};
+use crate::facade::Panel;
 use crate::item::{Item, Support};
 
 /// The places of some items among those of a landing; the street door is in the hall only.

@@ -18,15 +18,14 @@ use std::sync::Arc;
 
 use vc_graph::space::{PortalId, RegionId, Space};
 use vc_graph::{NodeId, Seed};
-use vc_shapes::material::MaterialId;
 
 use crate::circulation::Looks;
 use crate::city::CityPlan;
+use crate::facade::{Facade, Pane};
 use crate::specification::Specification;
 use flat::Flat;
 use measures::Measures;
 use plan::Plan;
-use street::Front;
 
 pub use error::HouseError;
 pub use plan::HouseStorey;
@@ -55,35 +54,9 @@ pub struct House {
     /// The flats of each storey.
     flats: Vec<Vec<Flat>>,
     /// Windows and doors of what has no interior.
-    fronts: Vec<Front>,
+    fronts: Vec<(usize, Pane)>,
     looks: Looks,
     facade: Facade,
-}
-
-/// The materials of a facade.
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct Facade {
-    wall: MaterialId,
-    trim: MaterialId,
-    roof: MaterialId,
-    frame: MaterialId,
-    pavement: MaterialId,
-}
-
-impl Facade {
-    fn new(seed: Seed) -> Self {
-        use vc_shapes::material::{ANTHRACITE, BRICK, CONCRETE, PLASTER, SANDSTONE, SLATE_TILE, WALL_CREAM, WHITE};
-        let mut stream = seed.child("facade").stream();
-        let wall = [PLASTER, BRICK, SANDSTONE, WALL_CREAM][stream.below(4)];
-        let trims = if wall == SANDSTONE { [PLASTER, CONCRETE] } else { [SANDSTONE, CONCRETE] };
-        Self {
-            wall,
-            trim: trims[stream.below(2)],
-            roof: [CONCRETE, SLATE_TILE][stream.below(2)],
-            frame: [WHITE, ANTHRACITE][stream.below(2)],
-            pavement: CONCRETE,
-        }
-    }
 }
 
 impl House {
@@ -124,8 +97,8 @@ impl House {
             return Err(HouseError::NoFlats(building));
         }
         let plan = Plan::new(&format!("house/{building}"), &measures, &flats)?;
-        let fronts = Front::all(house, |unit| city.flat(building, unit).is_some(), &measures);
-        let facade = Facade::new(seed);
+        let fronts = street::fronts(house, |unit| city.flat(building, unit).is_some(), &measures);
+        let facade = Facade::of(city, building);
         let wishes = Specification { facade: Some(facade.wall), ..Specification::default() };
         Ok(Self { seed, wishes, measures, plan, flats, fronts, looks: Looks::new(seed.child("looks")), facade })
     }
