@@ -79,8 +79,13 @@ pub(crate) fn mounted(object: Object, at: P, yaw: f32) -> Item {
 
 /// An object whose base is centred at a point.
 pub(crate) fn placed(object: Object, at: P, yaw: f32, support: Support) -> Item {
-    let pose = standing(&object, (at[0], at[1]), at[2], yaw);
-    Item { support, required: false, ..fixed(object, pose) }
+    shared(&Arc::new(object), at, yaw, support)
+}
+
+/// The same of an object that stands in several places.
+pub(crate) fn shared(object: &Arc<Object>, at: P, yaw: f32, support: Support) -> Item {
+    let pose = standing(object, (at[0], at[1]), at[2], yaw);
+    Item { object: object.clone(), pose, support, room: 0, states: Vec::new(), between: None, required: false }
 }
 
 fn fixed(object: Object, pose: Pose) -> Item {

@@ -1,14 +1,17 @@
 //! Streets as one sees them: the ground, what is painted on it, buildings from outside, and all that stands along the way.
 //!
-//! [`ground`] makes carriageways, pavements, land and parks, [`paint`] the markings, [`mass`] buildings, [`stock`] the objects of
-//! classes. All of it follows from the [plan](crate::city::CityPlan) and the place alone.
+//! [`ground`] makes carriageways, pavements, land and parks, [`paint`] the markings, [`mass`] buildings; [`things`], [`park`] and
+//! [`garden`] what stands there, out of one [`stock`]. All of it follows from the [plan](crate::city::CityPlan) and the place alone.
 
 mod error;
+mod garden;
 mod ground;
 mod mass;
 mod paint;
+mod park;
 mod stock;
 mod strip;
+mod things;
 
 use std::sync::Arc;
 
@@ -21,6 +24,8 @@ use crate::circulation::parts::P;
 use crate::city::{CityPlan, Near};
 use crate::item::Item;
 use crate::scene::{Contents, room_draft};
+
+use stock::Stock;
 
 pub use error::OutdoorsError;
 
@@ -150,7 +155,10 @@ impl<'a> Outdoors<'a> {
         items.extend(
             self.buildings.around(at, reach).into_iter().flat_map(|building| mass::items(self, &place, building)),
         );
-        items.extend(stock::items(self, &place));
+        let mut stock = Stock::new(self, &place);
+        items.extend(things::items(self, &place, &mut stock));
+        items.extend(park::items(self, &place, &mut stock));
+        items.extend(garden::items(self, &place, &stock));
         let half = reach as f32;
         let room = room_draft("street", Vector3::zeros(), Vector3::new(2.0 * half, 2.0 * half, HIGH));
         let name = format!("city_{}", self.city.seed().0);
