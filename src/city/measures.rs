@@ -68,9 +68,9 @@ pub(super) const AJAR: f32 = 0.1;
 /// How far over a threshold a thing's middle is when it goes over to the region beyond, metres: what lies on the line does
 /// not go to and fro.
 pub(super) const OVER: f32 = 0.02;
-/// How near to the line the floor below a thing decides in which region it is, and how far from the height of the threshold that floor
-/// may be, metres.
-pub(super) const ON_LINE: f32 = 0.1;
+/// How near to the line the floor below a thing decides in which region it is, metres: floors end up to a quarter of a metre beyond it, and
+/// their edges hold what is nearer than two ledges; and how far from the height of the threshold that floor may be.
+pub(super) const ON_LINE: f32 = 0.4;
 pub(super) const FLUSH: f32 = 0.1;
 /// How far from the edge of a floor it is still said to be over it, metres.
 pub(super) const EDGE: f32 = 0.03;

@@ -53,7 +53,8 @@ impl Gate {
 
     /// How far a thing of the first region is over the line, metres, if it is to go to the other region. The floor decides: whatever is
     /// over something fixed of its own region stays, on the next flight of stairs, too, and at the edge of its floor if none goes on
-    /// beyond; near the line, whatever is over the floor beyond goes. Nothing that lies on an edge goes to and fro.
+    /// beyond; near the line, whatever is over the floor beyond goes, or lies on the edge of that. Both sides decide alike, so that
+    /// nothing goes to and fro.
     fn takes(&self, there: &Environment, thing: NodeId) -> Option<f32> {
         let body = there.world().body(thing).ok()?;
         let at = body.centre_of_mass();
@@ -68,10 +69,14 @@ impl Gate {
             Some((there.graph().node(id).is_some(), is_level))
         };
         // What lies higher than the edge is on it even if it leans far over; what is lower may lie on the step below.
-        let ledge = if self.own.inverse_transform_point(&at).z > 0.0 { 2.0 * LEDGE } else { LEDGE };
+        let height = self.own.inverse_transform_point(&at).z;
+        let ledge = if height > 0.0 { 2.0 * LEDGE } else { LEDGE };
+        let lowest = there.world().aabb(thing).map_or(height, |around| height + around.min.z - at.z);
         let falls = body.velocity().z < -FALLS;
         let goes = match below(0.0) {
-            Some((true, _)) => false,
+            Some((true, is_level)) => {
+                !is_level && !falls && lowest > -FLUSH / 2.0 && below(-2.0 * LEDGE) == Some((false, true))
+            }
             Some((false, true)) => over > OVER || below(EDGE) == Some((false, true)),
             // No edge holds what falls, nor anything that it touches.
             _ if falls && over > OVER => return Some(f32::INFINITY),
