@@ -86,7 +86,7 @@ pub(super) const ASIDE: f32 = 0.5;
 pub(super) const TOUCHING: f32 = 0.05;
 pub(super) const NEAR: f32 = 0.15;
 
-/// What is slower than this along the ground does not move, metres a second: a millimetre in three ticks; nor what is slower up or down,
+/// A thing that is slower than this along the ground does not move, metres a second: a millimetre in three ticks; nor what is slower up or down,
 /// which is what gravity makes in two.
 pub(super) const CREEPS: f32 = 0.02;
 pub(super) const WAKES: f32 = 0.33;

@@ -60,7 +60,7 @@ impl Gate {
         let at = body.centre_of_mass();
         let over = self.beyond(&at).filter(|over| *over > -ON_LINE)?;
         let loose: Vec<NodeId> = there.world().nodes().into_iter().filter(|id| is_loose(there, *id)).collect();
-        // What is below a point so far back on the own side, loose things left out: whether it is the region's own, and level with the
+        // The thing below a point so far back on the own side, loose ones left out: whether it is the region's own, and level with the
         // threshold.
         let below = |back: f32| {
             let from = at - self.own.rotation * Vector3::x() * back;
@@ -68,14 +68,15 @@ impl Gate {
             let is_level = self.own.inverse_transform_point(&hit).z.abs() < FLUSH;
             Some((there.graph().node(id).is_some(), is_level))
         };
-        // What lies higher than the edge is on it even if it leans far over; what is lower may lie on the step below.
+        // A thing that lies higher than the edge is on it even if it leans far over; a lower one may lie on the step below.
         let height = self.own.inverse_transform_point(&at).z;
         let ledge = if height > 0.0 { 2.0 * LEDGE } else { LEDGE };
         let lowest = there.world().aabb(thing).map_or(height, |around| height + around.min.z - at.z);
         let falls = body.velocity().z < -FALLS;
         let goes = match below(0.0) {
             Some((true, is_level)) => {
-                !is_level && !falls && lowest > -FLUSH / 2.0 && below(-2.0 * LEDGE) == Some((false, true))
+                let lies = body.velocity().norm() < WAKES && lowest > -FLUSH / 2.0;
+                !is_level && lies && below(-2.0 * LEDGE) == Some((false, true))
             }
             Some((false, true)) => over > OVER || below(EDGE) == Some((false, true)),
             // No edge holds what falls, nor anything that it touches.
@@ -283,7 +284,7 @@ fn is_loose(there: &Environment, id: NodeId) -> bool {
     there.world().role(id) == Some(BodyRole::Loose)
 }
 
-/// The boxes around what moves in a region, grown by what it moves in a tick. What has only been woken draws nothing near: it falls for a
+/// The boxes around what moves in a region, grown by what it moves in a tick. A thing that has only been woken draws nothing near: it falls for a
 /// tick before its support holds it again.
 fn moving_boxes(there: &Environment) -> impl Iterator<Item = Aabb> + '_ {
     let tick = there.world().settings().dt;

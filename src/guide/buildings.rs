@@ -61,6 +61,31 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
+//! # Streets
+//!
+//! [`Outdoors`](crate::procgen::Outdoors) makes a scene of all that stands within a distance of a place of a plan: ground, markings, buildings
+//! with the windows of their flats, cars, trees. It is drawn as any other scene; nobody walks there yet.
+//!
+//! ```
+//! use virtualcity::graph::Seed;
+//! use virtualcity::nalgebra::Point3;
+//! use virtualcity::procgen::Outdoors;
+//! use virtualcity::procgen::city::{CityPlan, CitySpecification};
+//! use virtualcity::render::{Camera, Frame, Modality, Renderer, Shot};
+//!
+//! let wishes = CitySpecification { area: 0.2, ..CitySpecification::default() };
+//! let plan = CityPlan::generate(&wishes, Seed(7))?;
+//! let crossroads = plan.streets()[0].line[0];
+//! let scene = Outdoors::of(&plan).scene(&crossroads, 30.0)?;
+//! let mut renderer = Renderer::new();
+//! let snapshot = renderer.snapshot(&scene)?;
+//! let camera = Camera::with_fov(160, 120, 1.2).looking(Point3::new(0.0, 0.0, 1.6), Point3::new(10.0, 0.0, 1.6));
+//! let mut frame = Frame::new();
+//! renderer.render(&Shot::new(&snapshot, &camera, Modality::Depth | Modality::Instance), &mut frame)?;
+//! assert!(frame.instance.iter().any(|id| scene.node(*id).is_some()));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
 //! # Seen through doors
 //!
 //! Pictures and observations reach through open doors and other portals, also into regions where nobody is; looking changes

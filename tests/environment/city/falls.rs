@@ -347,7 +347,7 @@ impl RegionScenes for WithThings {
     }
 }
 
-/// What leans over the edge of a gallery stays there, whatever lies behind it, and nothing goes to and fro between the storeys.
+/// A thing that leans over the edge of a gallery stays there, whatever lies behind it, and nothing goes to and fro between the storeys.
 #[test]
 fn what_lies_behind_what_leans_over_the_edge_stays() {
     let building = Arc::new(Building::from_seed(Seed(7)).unwrap());

@@ -140,7 +140,7 @@ impl Shell<'_> {
     }
 }
 
-/// What is drawn for a pane alone, the same from near and far.
+/// The draws of a pane, the same from near and far.
 fn stream(pane: &Pane) -> Stream {
     let place = [pane.at.0, pane.at.1, pane.height.0].map(|metres| (metres * 100.0).round() as i64 as u64);
     place.into_iter().fold(Seed(0).child("pane"), Seed::nth).stream()

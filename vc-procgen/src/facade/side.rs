@@ -6,7 +6,7 @@ use vc_shapes::material::MaterialId;
 
 use super::{Pane, Panel};
 
-/// What is so near to a side is at it, metres.
+/// A pane so near to a side is at it, metres.
 const AT: f32 = 0.06;
 
 /// A side of an outline, counter-clockwise.

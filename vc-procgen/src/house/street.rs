@@ -20,7 +20,7 @@ pub(super) const CLEAR: f32 = 3.0;
 /// The width of the pavement, and how far the ground goes on unseen: farther than anybody throws.
 const PAVEMENT: f32 = 4.0;
 const BEYOND: f32 = 34.0;
-/// What is so near to the facade is at it.
+/// A side so near to the facade is at it, metres.
 const AT: f32 = 0.06;
 
 /// The windows and doors of all units without a flat, each with its storey.

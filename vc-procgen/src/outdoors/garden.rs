@@ -1,4 +1,4 @@
-//! What stands around houses: hedges and fences along the street.
+//! Hedges and fences before houses.
 
 use nalgebra::Vector2;
 use vc_graph::portable::Portable;

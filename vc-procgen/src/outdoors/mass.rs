@@ -17,7 +17,7 @@ const RECESS: f32 = 0.12;
 const DOOR: (f32, f32) = (1.2, 2.5);
 const WIDE_DOOR: (f32, f32) = (2.4, 2.7);
 const LANDING: [f32; 3] = [1.4, 0.9, 2.1];
-/// What of a wing is below the ground, metres.
+/// The depth of walls below the ground, metres.
 const BELOW: f32 = 0.4;
 
 /// A building: one thing for each of its wings.

@@ -40,7 +40,7 @@ pub(crate) const KERB: f32 = 0.12;
 /// The height of the space in which things belong to the street, metres: light above it is that of the open.
 const HIGH: f32 = 3.0;
 
-/// What stands outdoors in a city, as scenes of its surroundings.
+/// The streets of a city and all that stands along them, as scenes of the surroundings of a place.
 ///
 /// ```
 /// use vc_graph::Seed;
@@ -104,7 +104,7 @@ impl Placed {
 }
 
 impl<'a> Outdoors<'a> {
-    /// What stands outdoors in a city. Costs an index of its parts: microseconds for each.
+    /// The streets of a city. Costs an index of its parts: microseconds for each.
     pub fn of(city: &'a CityPlan) -> Self {
         let outlines: Vec<Vec<Point>> = city
             .buildings()
@@ -135,7 +135,7 @@ impl<'a> Outdoors<'a> {
     }
 
     /// A scene of all that is within so many metres of a place: its origin is that place, X goes east, Y north, and pavements
-    /// are at height zero. What is farther is left out, windows far away lie flat on their walls, and small things end at 160 m.
+    /// are at height zero. All that is farther is left out, windows farther than 60 m lie flat on their walls, and small things end at 160 m.
     ///
     /// Costs some milliseconds for each building near, and some for each object that has not been made before.
     ///

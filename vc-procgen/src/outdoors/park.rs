@@ -1,4 +1,4 @@
-//! What stands in parks: benches and lamps along paths, playgrounds, courts.
+//! Things in parks: benches and lamps along paths, playgrounds, courts.
 
 use nalgebra::Vector2;
 use vc_graph::portable::Portable;
@@ -15,7 +15,7 @@ const LAMPS: f64 = 22.0;
 const BESIDE: f64 = 0.6;
 /// The first stands this far from a gate, metres.
 const FIRST: f64 = 7.0;
-/// What a playground has, and where: shares of its length and width from its middle.
+/// The things of a playground, and where they stand: shares of its length and width from its middle.
 const PLAYGROUND: [(&str, [f64; 2]); 6] = [
     ("swing_set", [-0.28, 0.0]),
     ("slide", [0.05, 0.22]),
