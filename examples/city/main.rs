@@ -43,7 +43,7 @@ struct Arguments {
     #[arg(long, default_value_t = 2.0)]
     scale: f64,
     /// The number of views at street level, each by day and by night.
-    #[arg(long, default_value_t = 2)]
+    #[arg(long, default_value_t = 1)]
     views: u64,
     /// The folder for pictures and files; nothing is written without one.
     #[arg(long)]
